@@ -1,0 +1,3 @@
+//! The program `lampyris`.
+
+fn main() {}

@@ -1,0 +1,81 @@
+//! Scene files in. One table by extension: a new format is one file and one row.
+
+use crate::error::{Error, Result};
+use crate::scene::Scene;
+use std::path::{Path, PathBuf};
+
+/// A scene, and what was odd about its file.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// What was ignored or mended, each as `file:line: what` and once for each kind with its count.
+    pub warnings: Vec<String>,
+}
+
+/// How to load.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The folder beneath which every file must lie; the scene's own folder where `None`.
+    pub root: Option<PathBuf>,
+    /// Bounds on what a file may ask for.
+    pub limits: Limits,
+}
+
+/// Bounds on what a file may ask for; each has an option of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes in one file.
+    pub file_bytes: u64,
+    /// Triangles in the whole scene.
+    pub triangles: u64,
+    /// Files included within each other.
+    pub include_depth: u64,
+    /// Entities read in all, repetitions by arrays and includes counted.
+    pub entities: u64,
+    /// Product of the array sizes in force at one place.
+    pub array: u64,
+    /// Vertices of one polygon.
+    pub polygon: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            file_bytes: 4 << 30,
+            triangles: 50_000_000,
+            include_depth: 16,
+            entities: 50_000_000,
+            array: 10_000_000,
+            polygon: 65_536,
+        }
+    }
+}
+
+/// A row of the table.
+pub struct Format {
+    /// Extensions in lower case, without the dot.
+    pub extensions: &'static [&'static str],
+    /// What it is called.
+    pub name: &'static str,
+    /// The reader.
+    pub load: fn(&Path, &Options) -> Result<Loaded>,
+}
+
+/// Every format that can be read.
+pub const FORMATS: &[Format] = &[];
+
+/// Loads a scene file by its extension.
+pub fn load(path: &Path, options: &Options) -> Result<Loaded> {
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match FORMATS.iter().find(|f| f.extensions.contains(&extension.as_str())) {
+        Some(format) => (format.load)(path, options),
+        None => {
+            let known: Vec<_> = FORMATS.iter().flat_map(|f| f.extensions).copied().collect();
+            Err(Error::CannotRead {
+                file: path.into(),
+                reason: format!("no reader for the extension \"{extension}\"; known: {}", known.join(", ")),
+            })
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! Lampyris: global illumination by virtual point lights.
+
+pub mod color;
+pub mod error;
+pub mod geometry;
+pub mod import;
+pub mod light;
+pub mod material;
+pub mod sampling;
+pub mod scene;
+pub mod sequence;
+
+pub use color::Rgb;
+pub use error::{Error, Result};

@@ -1,0 +1,84 @@
+//! Light sources that are no surfaces of the scene: a closed set.
+//! They are sampled and found by rays but block none. Emissive surfaces are objects with an emitting
+//! [`crate::material::Material`]; the world gathers them as lights of their own.
+
+use crate::color::Rgb;
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// A named light source.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Light {
+    /// Name in the file, or one given by the importer.
+    pub name: String,
+    /// What it is.
+    pub kind: LightKind,
+}
+
+/// The closed set of light sources. Directions are unit vectors in world space.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum LightKind {
+    /// The same intensity in all directions.
+    Point {
+        /// Where [m].
+        position: Vec3,
+        /// Luminous intensity [cd].
+        intensity: Rgb,
+    },
+    /// Intensity about an axis.
+    Spot {
+        /// Where [m].
+        position: Vec3,
+        /// The axis, away from the lamp.
+        direction: Vec3,
+        /// Luminous intensity on the axis [cd].
+        intensity: Rgb,
+        /// How the intensity falls off the axis.
+        beam: Beam,
+    },
+    /// Parallel light from infinity.
+    Directional {
+        /// The way the light travels.
+        direction: Vec3,
+        /// Illuminance on a plane facing it [lx].
+        illuminance: Rgb,
+    },
+    /// A glowing sphere seen from outside.
+    Sphere {
+        /// Centre [m].
+        center: Vec3,
+        /// Radius [m], > 0.
+        radius: f32,
+        /// Radiance [cd/m²].
+        radiance: Rgb,
+    },
+    /// A glowing disc, on the side of its normal.
+    Disc {
+        /// Centre [m].
+        center: Vec3,
+        /// Which side glows.
+        normal: Vec3,
+        /// Radius [m], > 0.
+        radius: f32,
+        /// Radiance [cd/m²].
+        radiance: Rgb,
+    },
+}
+
+/// The angular profile of a spot light, 1 on the axis.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Beam {
+    /// Full inside `cos_inner`, none outside `cos_outer`, smooth between (glTF's `KHR_lights_punctual`: the square
+    /// of a linear ramp in the cosine).
+    Cone {
+        /// Cosine of the half-angle up to which the intensity is full.
+        cos_inner: f32,
+        /// Cosine of the half-angle from which on it is zero, < `cos_inner`.
+        cos_outer: f32,
+    },
+    /// cosᵈ of the angle off the axis, none behind [Keller97, §4.2].
+    Cosine {
+        /// d ≥ 0.
+        exponent: f32,
+    },
+}

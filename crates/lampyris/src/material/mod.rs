@@ -1,0 +1,132 @@
+//! What surfaces do with light: a closed set of BSDFs, one file each.
+//!
+//! All directions are unit vectors in the local frame whose +z is the shading normal on the side of `wo`
+//! (a dielectric alone keeps its outward normal as +z, so that `wo.z < 0` means inside); both point away from the
+//! surface. Lobes fall into two classes, by one threshold for the whole program: see [`Class`].
+//! No light source and no ray is known here.
+
+mod dielectric;
+mod diffuse;
+mod ward;
+
+pub use dielectric::Dielectric;
+pub use diffuse::Diffuse;
+pub use ward::Ward;
+
+use crate::color::Rgb;
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// Roughness below which a glossy lobe counts as [`Class::Sharp`] [RMS facet slope].
+pub const SHARP_ALPHA: f32 = 0.15;
+
+/// The two classes of lobes that partition path space (docs/light-transport.md): S and D of Heckbert's notation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// S: delta lobes and lobes smoother than [`SHARP_ALPHA`]. Eye paths and particles pass through them.
+    Sharp,
+    /// D: everything else. Virtual point lights are deposited on them, and gathered by them.
+    Dull,
+}
+
+/// A direction drawn from a class of lobes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter {
+    /// The direction drawn.
+    pub wi: Vec3,
+    /// f_r·|cos θ_i| / pdf: what the path's throughput is multiplied by.
+    pub weight: Rgb,
+    /// Density of `wi` within the class [sr⁻¹]; infinite for a delta lobe, which no other technique can find.
+    pub pdf: f32,
+}
+
+/// A surface's named material.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Name in the file.
+    pub name: String,
+    /// Scattering.
+    pub bsdf: Bsdf,
+    /// Emitted radiance [cd/m²], the same in all directions, from each side that `sides` grants.
+    pub emission: Rgb,
+    /// From which sides the surface is there at all.
+    pub sides: Sides,
+}
+
+/// Which sides of a surface exist.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Sides {
+    /// MGF `sides 1`: from behind it is invisible, light passes, and nothing is emitted there.
+    FrontOnly,
+    /// glTF's single-sided emitter: blocks and scatters on both sides, emits from its front alone.
+    EmitFront,
+    /// Alike from both sides, emission included.
+    Both,
+}
+
+/// The closed set of scattering functions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Bsdf {
+    /// Lambertian reflection and transmission.
+    Diffuse(Diffuse),
+    /// A diffuse base with a glossy or mirror lobe in reflection, and one in transmission.
+    Ward(Ward),
+    /// Smooth interface of a solid transparent body.
+    Dielectric(Dielectric),
+}
+
+impl Bsdf {
+    /// f_r of the lobes of `class` [sr⁻¹], without the cosine. Delta lobes evaluate to black.
+    pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
+        match self {
+            Bsdf::Diffuse(m) => m.eval(class, wo, wi),
+            Bsdf::Ward(m) => m.eval(class, wo, wi),
+            Bsdf::Dielectric(_) => Rgb::BLACK,
+        }
+    }
+
+    /// Draws a direction from the lobes of `class`; `None` where they reflect nothing.
+    ///
+    /// `u` places the direction, `choice` picks the lobe within the class; all in [0, 1).
+    pub fn sample(&self, class: Class, wo: Vec3, u: [f32; 2], choice: f32) -> Option<Scatter> {
+        match self {
+            Bsdf::Diffuse(m) => m.sample(class, wo, u, choice),
+            Bsdf::Ward(m) => m.sample(class, wo, u, choice),
+            Bsdf::Dielectric(m) => m.sample(class, wo, choice),
+        }
+    }
+
+    /// Density with which `sample` draws `wi` [sr⁻¹]; delta lobes have none, hence 0.
+    pub fn pdf(&self, class: Class, wo: Vec3, wi: Vec3) -> f32 {
+        match self {
+            Bsdf::Diffuse(m) => m.pdf(class, wo, wi),
+            Bsdf::Ward(m) => m.pdf(class, wo, wi),
+            Bsdf::Dielectric(_) => 0.0,
+        }
+    }
+
+    /// Share of the light arriving from `wo` that the lobes of `class` send on (directional albedo), to a few per
+    /// cent: it steers choices and fills the albedo channels, no estimate depends on its exactness. It is exactly
+    /// black only if the class is empty.
+    pub fn albedo(&self, class: Class, wo: Vec3) -> Rgb {
+        match self {
+            Bsdf::Diffuse(m) => m.albedo(class),
+            Bsdf::Ward(m) => m.albedo(class, wo),
+            Bsdf::Dielectric(m) => m.albedo(class),
+        }
+    }
+
+    /// The reflectance of the dull class if it is a pure Lambertian reflector: the gather then needs no `eval`.
+    pub fn lambertian(&self) -> Option<Rgb> {
+        match self {
+            Bsdf::Diffuse(m) => m.lambertian(),
+            Bsdf::Ward(m) => m.lambertian(),
+            Bsdf::Dielectric(_) => Some(Rgb::BLACK),
+        }
+    }
+
+    /// True where the local frame keeps the outward normal instead of turning to the side of `wo`.
+    pub fn is_solid_interface(&self) -> bool {
+        matches!(self, Bsdf::Dielectric(_))
+    }
+}

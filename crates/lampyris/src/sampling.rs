@@ -1,0 +1,42 @@
+//! Maps from the unit square to what is sampled: hemisphere, sphere, cone, disc, triangle.
+//! Each is area-preserving and continuous where it can be, so that low discrepancy survives it.
+
+use glam::Vec3;
+use std::f32::consts::{FRAC_PI_4, TAU};
+
+/// Cosine-distributed on the upper hemisphere, density cos θ/π [sr⁻¹]: Malley's lift of the concentric disc map.
+pub fn cosine_hemisphere(u: [f32; 2]) -> Vec3 {
+    let [x, y] = concentric_disc(u);
+    Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt())
+}
+
+/// Uniform on the unit sphere, density 1/4π [sr⁻¹].
+pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
+    uniform_cone(u, -1.0)
+}
+
+/// Uniform on the cap cos θ ≥ `cos_max` about +z, density 1/(2π(1 − cos_max)) [sr⁻¹].
+pub fn uniform_cone(u: [f32; 2], cos_max: f32) -> Vec3 {
+    let z = 1.0 - u[0] * (1.0 - cos_max);
+    let r = (1.0 - z * z).max(0.0).sqrt();
+    let (sin, cos) = libm::sincosf(TAU * u[1]);
+    Vec3::new(r * cos, r * sin, z)
+}
+
+/// Uniform on the unit disc (the concentric map of Shirley and Chiu).
+pub fn concentric_disc(u: [f32; 2]) -> [f32; 2] {
+    let (a, b) = (2.0 * u[0] - 1.0, 2.0 * u[1] - 1.0);
+    if a == 0.0 && b == 0.0 {
+        return [0.0, 0.0];
+    }
+    let (r, phi) =
+        if a.abs() > b.abs() { (a, FRAC_PI_4 * (b / a)) } else { (b, 2.0 * FRAC_PI_4 - FRAC_PI_4 * (a / b)) };
+    let (sin, cos) = libm::sincosf(phi);
+    [r * cos, r * sin]
+}
+
+/// Uniform on a triangle: barycentric weights of its second and third vertex.
+pub fn triangle(u: [f32; 2]) -> [f32; 2] {
+    let r = u[0].sqrt();
+    [1.0 - r, u[1] * r]
+}

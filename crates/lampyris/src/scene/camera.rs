@@ -1,0 +1,58 @@
+//! A pinhole camera, and a camera with a picture size.
+
+use crate::geometry::Ray;
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// Where one stands, what one looks at.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Camera {
+    /// Name in the file.
+    pub name: String,
+    /// Eye point [m].
+    pub eye: Vec3,
+    /// A point on the viewing axis [m].
+    pub target: Vec3,
+    /// Upward direction, not parallel to the axis.
+    pub up: Vec3,
+    /// Vertical field of view [degrees].
+    pub fov_y: f32,
+}
+
+/// A camera made ready for a picture of a size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// Picture width [pixels].
+    pub width: u32,
+    /// Picture height [pixels].
+    pub height: u32,
+    eye: Vec3,
+    corner: Vec3,
+    right: Vec3,
+    down: Vec3,
+}
+
+impl View {
+    /// A camera's view on `width` × `height` pixels.
+    pub fn new(camera: &Camera, width: u32, height: u32) -> View {
+        let forward = (camera.target - camera.eye).normalize_or(Vec3::NEG_Z);
+        let side = forward.cross(camera.up).normalize_or(forward.any_orthonormal_vector());
+        let up = side.cross(forward);
+        let half = libm::tanf(camera.fov_y.to_radians() * 0.5);
+        let (w, h) = (width as f32, height as f32);
+        let right = side * (2.0 * half / h);
+        let down = -up * (2.0 * half / h);
+        let corner = forward - right * (0.5 * w) - down * (0.5 * h);
+        View { width, height, eye: camera.eye, corner, right, down }
+    }
+
+    /// The eye point [m].
+    pub fn eye(&self) -> Vec3 {
+        self.eye
+    }
+
+    /// The ray through picture point (x, y) [pixels from the upper left corner]; unit direction.
+    pub fn ray(&self, x: f32, y: f32) -> Ray {
+        Ray::new(self.eye, (self.corner + self.right * x + self.down * y).normalize())
+    }
+}

@@ -1,0 +1,54 @@
+//! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
+
+mod camera;
+
+pub use camera::{Camera, View};
+
+use crate::color::Rgb;
+use crate::light::Light;
+use crate::material::Material;
+use glam::{Affine3A, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// Everything that is to be lit.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Scene {
+    /// Triangle meshes, each in its own space.
+    pub meshes: Vec<Mesh>,
+    /// The meshes placed in the world.
+    pub instances: Vec<Instance>,
+    /// Materials that triangles name by index.
+    pub materials: Vec<Material>,
+    /// Light sources beside the emissive surfaces.
+    pub lights: Vec<Light>,
+    /// Radiance of the constant environment [cd/m²]; black for none.
+    pub environment: Rgb,
+    /// Views stored in the file.
+    pub cameras: Vec<Camera>,
+    /// The upward direction where the format states one.
+    pub up: Option<Vec3>,
+}
+
+/// Triangles that move together.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Mesh {
+    /// Vertex positions [m, mesh space].
+    pub positions: Vec<Vec3>,
+    /// Unit shading normals, one a vertex, or none at all; a zero vector means "use the triangle's".
+    pub normals: Vec<Vec3>,
+    /// Vertex indices, counter-clockwise seen from the front.
+    pub triangles: Vec<[u32; 3]>,
+    /// Material of each triangle.
+    pub materials: Vec<u32>,
+}
+
+/// A mesh in its place.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Instance {
+    /// Name in the file: object names from the outside in, joined by `/`.
+    pub name: String,
+    /// Which mesh.
+    pub mesh: u32,
+    /// Mesh space → world.
+    pub transform: Affine3A,
+}

@@ -1,0 +1,1 @@
+//! Low-discrepancy sequences as pure functions of (index, dimension, seed): no sampler object, no order of calls.
