@@ -1,0 +1,105 @@
+//! The dimension ledger: which random decision reads which dimension of the sequence.
+//! Light paths and eye paths have sequences (seeds) of their own, so their numbers may coincide. Decisions that must
+//! be stratified together lie in one group of four, which Owen-scrambled Sobol' keeps a net ([`super::sobol`]).
+//!
+//! | light path | dimensions | group |
+//! |---|---|---|
+//! | point on the light | 0, 1 | 0 |
+//! | direction of emission | 2, 3 | 0 |
+//! | bounce j ≥ 1: direction | 4j, 4j + 1 | j |
+//! | bounce j ≥ 1: choice of class and lobe | 4j + 2 | j |
+//! | bounce j ≥ 1: Russian roulette | 4j + 3 | j |
+//!
+//! | eye path | dimensions | group |
+//! |---|---|---|
+//! | place in the pixel | 0, 1 | 0 |
+//! | (free) | 2, 3 | 0 |
+//! | vertex k ≥ 0: direction | 8k + 4, 8k + 5 | 2k + 1 |
+//! | vertex k ≥ 0: choice of class | 8k + 6 | 2k + 1 |
+//! | vertex k ≥ 0: choice of lobe in the class | 8k + 7 | 2k + 1 |
+//! | vertex k ≥ 0: point on the light | 8k + 8, 8k + 9 | 2k + 2 |
+//! | vertex k ≥ 0: choice of the light | 8k + 10 | 2k + 2 |
+//! | vertex k ≥ 0: Russian roulette | 8k + 11 | 2k + 2 |
+//!
+//! A decision named with two dimensions returns the first of them.
+
+/// Decisions of a light path.
+pub mod light {
+    /// Point on the light, two dimensions.
+    pub const POINT: u32 = 0;
+    /// Direction of emission, two dimensions.
+    pub const EMISSION: u32 = 2;
+
+    /// Direction scattered at bounce j ≥ 1, two dimensions.
+    pub const fn direction(j: u32) -> u32 {
+        4 * j
+    }
+
+    /// Choice of class and lobe at bounce j ≥ 1.
+    pub const fn choice(j: u32) -> u32 {
+        4 * j + 2
+    }
+
+    /// Russian roulette after bounce j ≥ 1.
+    pub const fn roulette(j: u32) -> u32 {
+        4 * j + 3
+    }
+}
+
+/// Decisions of an eye path.
+pub mod eye {
+    /// Place in the pixel, two dimensions.
+    pub const PIXEL: u32 = 0;
+
+    /// Direction scattered at vertex k ≥ 0 (0 is the first seen), two dimensions.
+    pub const fn direction(k: u32) -> u32 {
+        8 * k + 4
+    }
+
+    /// Choice between the sharp and the dull class at vertex k.
+    pub const fn class(k: u32) -> u32 {
+        8 * k + 6
+    }
+
+    /// Choice of the lobe within the class at vertex k.
+    pub const fn lobe(k: u32) -> u32 {
+        8 * k + 7
+    }
+
+    /// Point on the light that vertex k is connected with, two dimensions.
+    pub const fn light_point(k: u32) -> u32 {
+        8 * k + 8
+    }
+
+    /// Choice of that light.
+    pub const fn light(k: u32) -> u32 {
+        8 * k + 10
+    }
+
+    /// Russian roulette after vertex k.
+    pub const fn roulette(k: u32) -> u32 {
+        8 * k + 11
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{eye, light};
+
+    #[test]
+    fn no_dimension_serves_two_decisions() {
+        let mut used = vec![0, 1, 2, 3];
+        assert_eq!((light::POINT, light::EMISSION), (0, 2));
+        for j in 1..20 {
+            used.extend([light::direction(j), light::direction(j) + 1, light::choice(j), light::roulette(j)]);
+        }
+        assert_eq!(used, (0..80).collect::<Vec<_>>());
+
+        let mut used = vec![eye::PIXEL, 1, 2, 3];
+        for k in 0..10 {
+            used.extend([eye::direction(k), eye::direction(k) + 1, eye::class(k), eye::lobe(k)]);
+            used.extend([eye::light_point(k), eye::light_point(k) + 1, eye::light(k), eye::roulette(k)]);
+        }
+        assert_eq!(used, (0..84).collect::<Vec<_>>());
+    }
+}
