@@ -15,14 +15,14 @@ fn first_values_are_those_of_the_literature() {
     for (x, k) in phi(3, 9).iter().zip([0, 3, 6, 1, 4, 7, 2, 5, 8]) {
         assert!((x - k as f32 / 9.0).abs() < 1e-7 && *x <= k as f32 / 9.0);
     }
-    assert_eq!((halton(5, 0), halton(1, 2)), (0.625, 0.2), "bases 2 and 5");
+    assert_eq!((halton(5, 0), halton(1, 2)), (0.625, 0.2f32.next_down()), "bases 2 and 5, rounded down");
     assert_eq!((hammersley(3, 16, 0), hammersley(3, 16, 1)), (0.1875, 0.75));
-    // Joe and Kuo's points in natural order: dimension 1 is Pascal's matrix, dimension 2 begins 0, ½, ¾, ¼ too.
+    // Joe and Kuo's points in natural order, by hand from the recurrence of m: dimension 2 has m = 1, 3, 3.
     let s = |d| (0..8).map(|i| unit_f32(sobol::sobol(i, d))).collect::<Vec<_>>();
     assert_eq!(s(0), [0.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875]);
     assert_eq!(s(1), [0.0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875]);
-    assert_eq!(s(2), [0.0, 0.5, 0.75, 0.25, 0.875, 0.375, 0.125, 0.625]);
-    assert_eq!(s(3), [0.0, 0.5, 0.75, 0.25, 0.375, 0.875, 0.625, 0.125]);
+    assert_eq!(s(2), [0.0, 0.5, 0.75, 0.25, 0.375, 0.875, 0.625, 0.125]);
+    assert_eq!(s(3), [0.0, 0.5, 0.75, 0.25, 0.125, 0.625, 0.875, 0.375]);
 }
 
 #[test]
@@ -177,26 +177,13 @@ fn rms_error(sequence: Sequence, n: u32, first_dimension: u32) -> f64 {
         let f = |i| {
             (0..4)
                 .map(|d| f64::from(sequence.sample(i, first_dimension + d, seed)))
-                .map(|x| FRAC_PI_2 * libm_sin(PI * x))
+                .map(|x| FRAC_PI_2 * libm::sin(PI * x))
                 .product::<f64>()
         };
         let error = (0..n).map(f).sum::<f64>() / f64::from(n) - 1.0;
         error * error
     };
     ((0..seeds).map(square).sum::<f64>() / f64::from(seeds)).sqrt()
-}
-
-/// sin on [0, π] by its half-angle series: accurate to 1e-12, which suffices here.
-fn libm_sin(x: f64) -> f64 {
-    let y = x - std::f64::consts::FRAC_PI_2;
-    let y2 = y * y;
-    let terms = (1..12).map(f64::from);
-    terms
-        .fold((1.0, 1.0), |(sum, term), k| {
-            let term = -term * y2 / ((2.0 * k - 1.0) * (2.0 * k));
-            (sum + term, term)
-        })
-        .0
 }
 
 #[test]
@@ -211,7 +198,6 @@ fn smooth_integrands_converge_faster_than_at_random() {
     ] {
         let (few, many) = (rms_error(sequence, 256, d), rms_error(sequence, 16_384, d));
         let slope = (many / few).log2() / 6.0;
-        println!("{sequence:?} {d}: {few:e} {many:e} slope {slope}");
         // Random numbers: −½.
         assert!(slope < -0.8, "{sequence:?} from dimension {d}: {few:e} → {many:e}, slope {slope}");
     }
