@@ -103,7 +103,7 @@ fn each_dimension_of_sobol_is_a_permutation_of_the_grid() {
         let points: Vec<_> = (0..1024).map(|i| [d, d + 1].map(|d| unit_f32(sobol::sobol(i, d)))).collect();
         for k in 0..=5u32 {
             let (a, b) = (1u32 << k, 1u32 << (5 - k));
-            let mut count = vec![0; 32];
+            let mut count = [0; 32];
             points.iter().for_each(|p| count[cell(p[0], a) * b as usize + cell(p[1], b)] += 1);
             assert!(count.iter().all(|&c| c == 32), "dimensions {d}, {}: {a} × {b}", d + 1);
         }
