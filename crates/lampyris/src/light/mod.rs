@@ -2,6 +2,12 @@
 //! They are sampled and found by rays but block none. Emissive surfaces are objects with an emitting
 //! [`crate::material::Material`]; the world gathers them as lights of their own.
 
+mod emitter;
+mod surface;
+
+pub use emitter::{Arrival, Bounds, Departure, Emitter, LightPoint, Shine};
+pub use surface::{EmissiveSide, GlowingTriangle};
+
 use crate::color::Rgb;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -13,6 +19,19 @@ pub struct Light {
     pub name: String,
     /// What it is.
     pub kind: LightKind,
+}
+
+impl Light {
+    /// Centre and radius of a light at a finite place; `None` for parallel light.
+    pub fn extent(&self) -> Option<(Vec3, f32)> {
+        match self.kind {
+            LightKind::Point { position, .. } | LightKind::Spot { position, .. } => Some((position, 0.0)),
+            LightKind::Sphere { center, radius, .. } | LightKind::Disc { center, radius, .. } => {
+                Some((center, radius))
+            }
+            LightKind::Directional { .. } => None,
+        }
+    }
 }
 
 /// The closed set of light sources. Directions are unit vectors in world space.

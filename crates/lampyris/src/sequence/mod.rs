@@ -71,6 +71,11 @@ impl Sequence {
         }
     }
 
+    /// True if another seed gives other numbers: only then do randomisations exist.
+    pub const fn is_randomised(self) -> bool {
+        !matches!(self, Sequence::Halton)
+    }
+
     /// The sequence of that name, if there is one.
     pub fn by_name(name: &str) -> Option<Sequence> {
         Sequence::ALL.into_iter().find(|s| s.name() == name)

@@ -1,0 +1,251 @@
+//! The back end of the machine at hand: tiles in parallel on a pool of threads.
+//!
+//! A tile's pixels are summed by one thread in a fixed order, so the picture does not know how many threads there are.
+
+use crate::backend::{Backend, Batch, Rays, Settings, Statistics};
+use crate::color::Rgb;
+use crate::error::{Error, Result};
+use crate::eye::{Eye, Rect, Sampling, Tile};
+use crate::frame::Frame;
+use crate::integrator::{self, Integrator, Pass};
+use crate::particle::{Plan, Walk};
+use crate::scene::Scene;
+use crate::sequence::{self, jittered_hammersley};
+use crate::world::World;
+use rayon::prelude::*;
+
+/// Edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
+const TILE: u32 = 16;
+
+/// All cores of this machine, or as many threads as one likes.
+pub struct Cpu {
+    pool: rayon::ThreadPool,
+    job: Option<Job>,
+}
+
+/// What `begin` was given.
+struct Job {
+    world: World,
+    eye: Eye,
+    settings: Settings,
+    plan: Plan,
+    integrators: Vec<&'static dyn Integrator>,
+    frame: Frame,
+    statistics: Statistics,
+}
+
+impl Cpu {
+    /// A back end on `threads` threads; on all cores where `None`.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] if the system refuses the threads.
+    pub fn new(threads: Option<usize>) -> Result<Cpu> {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.unwrap_or(0))
+            .build()
+            .map_err(|e| Error::BadSetting(format!("cannot start the threads: {e}; ask for fewer")))?;
+        Ok(Cpu { pool, job: None })
+    }
+
+    /// The world in use, once `begin` was called.
+    pub fn world(&self) -> Option<&World> {
+        self.job.as_ref().map(|j| &j.world)
+    }
+
+    fn job(&mut self) -> Result<&mut Job> {
+        self.job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))
+    }
+}
+
+impl Backend for Cpu {
+    fn begin(&mut self, scene: Scene, eye: Eye, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        let integrators = integrator::select(&settings.parts)?;
+        let world = self.pool.install(|| World::new(scene));
+        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+        let (width, height) = eye.size();
+        self.job = Some(Job {
+            plan: Plan::new(&world, settings),
+            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            statistics: Statistics::default(),
+            settings: settings.clone(),
+            world,
+            eye,
+            integrators,
+        });
+        Ok(())
+    }
+
+    fn add(&mut self, batch: Batch) -> Result<()> {
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
+        pool.install(|| job.add(batch));
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Result<&Frame> {
+        self.job().map(|j| &j.frame)
+    }
+
+    fn statistics(&self) -> Statistics {
+        self.job.as_ref().map(|j| j.statistics).unwrap_or_default()
+    }
+}
+
+/// What one tile of one batch adds to the frame.
+struct Summed {
+    rect: Rect,
+    parts: Vec<Vec<Rgb>>,
+    auxiliary: Option<TileAuxiliary>,
+    rays: Rays,
+    non_finite: u64,
+}
+
+/// Sums of the auxiliary planes over a tile.
+struct TileAuxiliary {
+    albedo: Vec<Rgb>,
+    normal: Vec<Rgb>,
+    depth: Vec<f32>,
+    object: Vec<u32>,
+}
+
+impl Job {
+    fn add(&mut self, batch: Batch) {
+        let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
+        let (width, height) = self.eye.size();
+        let rects: Vec<Rect> = (0..height)
+            .step_by(TILE as usize)
+            .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| (x, y)))
+            .map(|(x, y)| Rect { x, y, width: TILE.min(width - x), height: TILE.min(height - y) })
+            .collect();
+        let tiles: Vec<Summed> = rects.par_iter().map(|rect| self.render(*rect, batch, &walk)).collect();
+
+        let pixels = width as usize * height as usize;
+        let mut planes = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
+        for tile in &tiles {
+            for (plane, part) in planes.iter_mut().zip(&tile.parts) {
+                copy_rows(tile.rect, width, part, plane);
+            }
+            self.statistics.rays += tile.rays;
+            self.statistics.non_finite += tile.non_finite;
+        }
+        self.statistics.rays.particle += walk.rays;
+        self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
+        self.frame.add(batch.index % self.settings.replicates, &planes);
+        self.add_auxiliary(&tiles, width);
+    }
+
+    fn add_auxiliary(&mut self, tiles: &[Summed], width: u32) {
+        let passes = self.settings.eye_passes();
+        let Some(sums) = self.frame.auxiliary_mut() else { return };
+        sums.samples += passes;
+        for tile in tiles {
+            let Some(part) = &tile.auxiliary else { continue };
+            for k in 0..part.depth.len() {
+                let at = place(tile.rect, width, k);
+                sums.albedo[at] += part.albedo[k];
+                sums.normal[at] += part.normal[k];
+                sums.depth[at] += part.depth[k];
+                if sums.object[at] == 0 {
+                    sums.object[at] = part.object[k];
+                }
+            }
+        }
+    }
+
+    /// All eye passes of a batch in one tile: sums divided by the number of passes.
+    fn render(&self, rect: Rect, batch: Batch, walk: &Walk<'_>) -> Summed {
+        let pixels = (rect.width * rect.height) as usize;
+        let passes = self.settings.eye_passes();
+        let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
+        let mut once = vec![Rgb::BLACK; pixels];
+        let mut auxiliary = self.settings.auxiliary.then(|| TileAuxiliary::new(pixels));
+        let mut rays = Rays::default();
+        let mut non_finite = 0;
+        for number in 0..passes {
+            let sampling = self.sampling(batch, number);
+            let tile = self.eye.look(&self.world, rect, &sampling);
+            rays.eye += tile.rays;
+            let pass = Pass {
+                world: &self.world,
+                settings: &self.settings,
+                plan: &self.plan,
+                eye: &self.eye,
+                lights: walk.lights_of(number),
+                vpls: walk.vpls_of(number),
+                sampling,
+            };
+            for (integrator, sum) in self.integrators.iter().zip(&mut parts) {
+                once.fill(Rgb::BLACK);
+                integrator.add(&pass, &tile, &mut once, &mut rays);
+                for (s, v) in sum.iter_mut().zip(&once) {
+                    if v.is_finite() {
+                        *s += *v;
+                    } else {
+                        non_finite += 1;
+                    }
+                }
+            }
+            if let Some(sums) = &mut auxiliary {
+                sums.add(&tile);
+            }
+        }
+        let scale = 1.0 / passes as f32;
+        parts.iter_mut().flatten().for_each(|v| *v *= scale);
+        Summed { rect, parts, auxiliary, rays, non_finite }
+    }
+
+    /// The sample that an eye pass takes: a jittered Hammersley point for its number, both coordinates shifted
+    /// mod 1 by numbers drawn anew in each batch, without which the survivors among the paths, a prefix, would only
+    /// see one side of each pixel.
+    fn sampling(&self, batch: Batch, number: u32) -> Sampling {
+        let settings = &self.settings;
+        let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
+        let seed = sequence::hash(sequence::hash(settings.seed, replicate), u32::from(b'e'));
+        let passes = settings.eye_passes();
+        let jitter = sequence::hash(seed, block);
+        let offset = [0, 1].map(|d| {
+            let shifted = jittered_hammersley(number, passes, d, jitter) + sequence::uniform(seed, block, d);
+            shifted.fract()
+        });
+        Sampling { offset, index: block.wrapping_mul(passes).wrapping_add(number), seed }
+    }
+}
+
+impl TileAuxiliary {
+    fn new(pixels: usize) -> TileAuxiliary {
+        TileAuxiliary {
+            albedo: vec![Rgb::BLACK; pixels],
+            normal: vec![Rgb::BLACK; pixels],
+            depth: vec![0.0; pixels],
+            object: vec![0; pixels],
+        }
+    }
+
+    fn add(&mut self, tile: &Tile<'_>) {
+        for packet in &tile.packets {
+            for k in packet.lanes() {
+                let Some(first) = packet.first[k] else { continue };
+                let at = packet.pixels[k] as usize;
+                self.albedo[at] += first.albedo;
+                self.normal[at] += Rgb::new(first.normal.x, first.normal.y, first.normal.z);
+                self.depth[at] += first.depth;
+                if self.object[at] == 0 {
+                    self.object[at] = first.instance + 1;
+                }
+            }
+        }
+    }
+}
+
+fn place(rect: Rect, width: u32, k: usize) -> usize {
+    let (x, y) = (k as u32 % rect.width, k as u32 / rect.width);
+    (rect.y + y) as usize * width as usize + (rect.x + x) as usize
+}
+
+fn copy_rows(rect: Rect, width: u32, from: &[Rgb], to: &mut [Rgb]) {
+    for (row, line) in from.chunks_exact(rect.width as usize).enumerate() {
+        let start = place(rect, width, row * rect.width as usize);
+        to[start..start + rect.width as usize].copy_from_slice(line);
+    }
+}

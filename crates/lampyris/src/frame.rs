@@ -1,0 +1,139 @@
+//! Sums of batches: one plane a part, one a randomisation. The only mutable thing that outlives a batch.
+//! No filter ever writes here; means and errors are asked for, never stored.
+
+use crate::color::Rgb;
+use crate::testing::student_quantile;
+
+/// The sums of a picture, or of a list of meters (then one row).
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Name and plane of each part's sum over all batches.
+    parts: Vec<(String, Vec<Rgb>)>,
+    /// Σ over the batches of randomisation k, all parts together.
+    replicates: Vec<Vec<Rgb>>,
+    /// Batches added to each randomisation.
+    batches: Vec<u32>,
+    auxiliary: Option<Auxiliary>,
+}
+
+/// Means of what the eye meets first, pixel by pixel.
+#[derive(Clone, Debug, Default)]
+pub struct Auxiliary {
+    /// Sum of directional albedos.
+    pub albedo: Vec<Rgb>,
+    /// Sum of shading normals, as (x, y, z).
+    pub normal: Vec<Rgb>,
+    /// Sum of distances to the first surface [m]; 0 where the eye looks into the void.
+    pub depth: Vec<f32>,
+    /// 1 + number of the instance seen at the pixel's first sample; 0 for the void.
+    pub object: Vec<u32>,
+    /// Samples in the sums.
+    pub samples: u32,
+}
+
+impl Frame {
+    /// An empty frame.
+    pub fn new(width: u32, height: u32, parts: &[&str], replicates: u32, auxiliary: bool) -> Frame {
+        let pixels = width as usize * height as usize;
+        Frame {
+            width,
+            height,
+            parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
+            replicates: vec![vec![Rgb::BLACK; pixels]; replicates as usize],
+            batches: vec![0; replicates as usize],
+            auxiliary: auxiliary.then(|| Auxiliary {
+                albedo: vec![Rgb::BLACK; pixels],
+                normal: vec![Rgb::BLACK; pixels],
+                depth: vec![0.0; pixels],
+                object: vec![0; pixels],
+                samples: 0,
+            }),
+        }
+    }
+
+    /// Batches added so far.
+    pub fn batches(&self) -> u32 {
+        self.batches.iter().sum()
+    }
+
+    /// Names of the parts.
+    pub fn part_names(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().map(|(n, _)| n.as_str())
+    }
+
+    /// The mean of one part over all batches, row by row from the top; `None` if it was not rendered.
+    pub fn part(&self, name: &str) -> Option<Vec<Rgb>> {
+        let scale = 1.0 / self.batches().max(1) as f32;
+        let (_, plane) = self.parts.iter().find(|(n, _)| n == name)?;
+        Some(plane.iter().map(|s| *s * scale).collect())
+    }
+
+    /// The picture: the mean of all parts together.
+    pub fn mean(&self) -> Vec<Rgb> {
+        let scale = 1.0 / self.batches().max(1) as f32;
+        let mut mean = vec![Rgb::BLACK; self.width as usize * self.height as usize];
+        for (_, plane) in &self.parts {
+            mean.iter_mut().zip(plane).for_each(|(m, s)| *m += *s * scale);
+        }
+        mean
+    }
+
+    /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
+    /// infinite before each of two has a batch.
+    pub fn standard_error(&self, pixel: usize) -> f32 {
+        self.spread(|k| self.replicates[k][pixel].luminance().into()) as f32
+    }
+
+    /// Standard error of the picture's mean luminance, relative to it.
+    pub fn relative_error(&self) -> f32 {
+        let sums: Vec<f64> =
+            self.replicates.iter().map(|p| p.iter().map(|s| f64::from(s.luminance())).sum()).collect();
+        let mean = sums.iter().sum::<f64>() / f64::from(self.batches().max(1));
+        if mean == 0.0 { 0.0 } else { (self.spread(|k| sums[k]) / mean).abs() as f32 }
+    }
+
+    /// Half the width of Student's 95 % interval, in standard errors.
+    pub fn student_factor(&self) -> f32 {
+        let used = self.batches.iter().filter(|n| **n > 0).count();
+        if used < 2 { f32::INFINITY } else { student_quantile(0.975, used as f64 - 1.0) as f32 }
+    }
+
+    /// What the eye met first, if it was asked for.
+    pub fn auxiliary(&self) -> Option<&Auxiliary> {
+        self.auxiliary.as_ref()
+    }
+
+    /// Adds a batch of randomisation `replicate`: the planes of the parts, in the order of `part_names`.
+    pub fn add(&mut self, replicate: u32, parts: &[Vec<Rgb>]) {
+        let k = replicate as usize;
+        self.batches[k] += 1;
+        for ((_, sum), plane) in self.parts.iter_mut().zip(parts) {
+            sum.iter_mut().zip(plane).for_each(|(s, v)| *s += *v);
+            self.replicates[k].iter_mut().zip(plane).for_each(|(s, v)| *s += *v);
+        }
+    }
+
+    pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
+        self.auxiliary.as_mut()
+    }
+
+    /// Standard error of Σ/n from the sums of the randomisations, of n_k batches each: the variance of one batch is
+    /// estimated by Σ n_k (m_k − m)² / (r − 1).
+    fn spread(&self, sum: impl Fn(usize) -> f64) -> f64 {
+        let used: Vec<usize> = (0..self.batches.len()).filter(|k| self.batches[*k] > 0).collect();
+        if used.len() < 2 {
+            return f64::INFINITY;
+        }
+        let n: f64 = f64::from(self.batches());
+        let mean = used.iter().map(|k| sum(*k)).sum::<f64>() / n;
+        let squares = used.iter().map(|k| {
+            let nk = f64::from(self.batches[*k]);
+            nk * (sum(*k) / nk - mean).powi(2)
+        });
+        (squares.sum::<f64>() / (used.len() - 1) as f64 / n).sqrt()
+    }
+}

@@ -1,0 +1,77 @@
+//! Bias compensation: pays back what clamping takes from virtual lights close by [Kollig and Keller 2004].
+//!
+//! G = min(G, b) + (G − b)⁺. The second term matters only within 1/√b: a short ray by the BSDF finds the vertex y
+//! there, and its reflected light counts with weight (G − b)/G. A ray that meets a sharp lobe returns nothing: such
+//! paths are *caustic*'s.
+
+use super::{Integrator, Pass, STRIDE, direct, gather, turn_of};
+use crate::backend::Rays;
+use crate::color::Rgb;
+use crate::eye::{Numbers, Tile};
+use crate::geometry::Ray;
+use crate::material::Class;
+use crate::sequence::ledger::eye as ledger;
+use crate::world::Surface;
+
+/// Vertices after which even the surest roulette ends.
+const MAX_VERTICES: u32 = 64;
+
+/// Paths L (S|D)* D D S* E, beyond the clamp.
+pub(super) struct Compensation;
+
+impl Integrator for Compensation {
+    fn name(&self) -> &'static str {
+        "compensation"
+    }
+
+    fn paths(&self) -> &'static str {
+        "L (S|D)* D D S* E, (G - b)+"
+    }
+
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+        if pass.plan.bound == f32::INFINITY {
+            return;
+        }
+        for packet in &tile.packets {
+            for k in packet.lanes() {
+                let numbers = packet.numbers[k];
+                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed >> 8)) {
+                    let paid = beyond_clamp(pass, x.surface, numbers.branch(b'c'.into()), rays);
+                    out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
+                }
+            }
+        }
+    }
+}
+
+/// C(x, ω_o) with its recursion C(y) unrolled, continued by roulette.
+fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays: &mut Rays) -> Rgb {
+    let (world, b) = (pass.world, pass.plan.bound);
+    let reach = 1.0 / b.sqrt();
+    let mut sum = Rgb::BLACK;
+    let mut throughput = Rgb::WHITE;
+    for vertex in 0..MAX_VERTICES {
+        let u = numbers.pair(ledger::direction(vertex));
+        let Some(s) = x.sample(Class::Dull, u, numbers.one(ledger::lobe(vertex))) else { break };
+        rays.compensation += 1;
+        let ray = Ray { origin: x.spawn(s.wi), direction: s.wi, t_max: reach };
+        let Some(y) = world.closest(&ray) else { break };
+        let distance2 = (y.position - x.position).length_squared();
+        let g = x.cosine(s.wi) * y.normal.dot(y.wo).abs() / distance2;
+        if g <= b || y.bsdf.albedo(Class::Dull, y.wo).is_black() {
+            break;
+        }
+        throughput *= s.weight * (1.0 - b / g);
+        // L_r(y): direct light, clamped virtual lights, and what the clamp takes there in turn.
+        let reflected = direct::at(pass, &y, numbers.branch(vertex + 1), rays)
+            + gather::from_lights(world, &y, pass.vpls, &mut rays.compensation);
+        sum += throughput * reflected;
+        let stay = throughput.max_channel().clamp(0.0, 1.0);
+        if numbers.one(ledger::roulette(vertex)) >= stay {
+            break;
+        }
+        throughput *= 1.0 / stay;
+        x = y;
+    }
+    sum
+}

@@ -1,0 +1,28 @@
+//! What glows directly before the eye, or is seen glowing through mirrors, glass and polish: paths without a dull
+//! vertex, L S* E. The eye pass has found it already; this integrator hands it on.
+
+use super::{Integrator, Pass};
+use crate::backend::Rays;
+use crate::color::Rgb;
+use crate::eye::Tile;
+
+/// Paths L S* E.
+pub(super) struct Emission;
+
+impl Integrator for Emission {
+    fn name(&self) -> &'static str {
+        "emission"
+    }
+
+    fn paths(&self) -> &'static str {
+        "L S* E"
+    }
+
+    fn add<'w>(&self, _pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], _rays: &mut Rays) {
+        for packet in &tile.packets {
+            for k in packet.lanes() {
+                out[packet.pixels[k] as usize] += packet.emission[k];
+            }
+        }
+    }
+}

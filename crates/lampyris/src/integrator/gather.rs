@@ -1,0 +1,167 @@
+//! The gather: what points receive from (virtual) point lights, [Keller97, eq. 3] with the geometry term clamped.
+//!
+//! `from_light` is the clear version for one point and one light; `packet` does the same for sixteen points at once,
+//! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
+
+use super::Pass;
+use crate::color::Rgb;
+use crate::eye::{LANES, Packet, Tile};
+use crate::geometry::Ray;
+use crate::light::Shine;
+use crate::material::Class;
+use crate::particle::Vpl;
+use crate::world::{Surface, World};
+use glam::Vec3;
+use std::f32::consts::FRAC_1_PI;
+
+/// Geometry × angular law of a light at a point, without visibility: lux for unit intensity, with the receiver's
+/// cosine. `normal` is the shading normal; the sign of the cosine is the caller's concern.
+fn geometry_term(light: &Vpl<'_>, x: Vec3, normal: Vec3) -> f32 {
+    let d = light.position - x;
+    match light.shine {
+        // min(G, b) with G = cos θ_x cos θ_y / |x−y|² [Kollig and Keller 2004].
+        Shine::Lambert(n) => {
+            let d2 = d.length_squared();
+            (normal.dot(d).abs() * (-n.dot(d)).max(0.0) / (d2 * d2)).min(light.bound)
+        }
+        Shine::Isotropic => {
+            let d2 = d.length_squared();
+            normal.dot(d).abs() / (d2 * d2.sqrt())
+        }
+        Shine::Beam(axis, beam) => {
+            let d2 = d.length_squared();
+            let distance = d2.sqrt();
+            normal.dot(d).abs() / (d2 * distance) * beam.profile(-axis.dot(d) / distance)
+        }
+        Shine::Distant => normal.dot(light.position).abs(),
+    }
+}
+
+/// Unit direction from `x` toward a light.
+fn direction(light: &Vpl<'_>, x: Vec3) -> Vec3 {
+    match light.shine {
+        Shine::Distant => light.position,
+        _ => (light.position - x).normalize_or_zero(),
+    }
+}
+
+/// Intensity of a light toward `x`: constant unless its vertex is glossy.
+fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
+    match &light.gloss {
+        Some(y) => light.intensity * y.eval(Class::Dull, -toward_light, y.wo),
+        None => light.intensity,
+    }
+}
+
+/// Radiance that the dull lobes of `x` send toward its `wo` by one light's light [cd/m²].
+pub fn from_light(world: &World, x: &Surface<'_>, light: &Vpl<'_>, rays: &mut u64) -> Rgb {
+    let wi = direction(light, x.position);
+    let f = x.eval(Class::Dull, x.wo, wi);
+    let g = geometry_term(light, x.position, x.frame.n);
+    if f.is_black() || !(g > 0.0) {
+        return Rgb::BLACK;
+    }
+    let value = f * intensity(light, wi) * g;
+    if value.is_black() {
+        return Rgb::BLACK;
+    }
+    *rays += 1;
+    let from = x.spawn(wi);
+    let ray = match light.shine {
+        Shine::Distant => Ray::new(from, wi),
+        _ => Ray::between(light.position, from),
+    };
+    if world.tracer().occluded(&ray) { Rgb::BLACK } else { value }
+}
+
+/// `from_light` over a list.
+pub fn from_lights(world: &World, x: &Surface<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> Rgb {
+    lights.iter().map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b)
+}
+
+/// Adds what every point of a tile receives from a list of lights.
+pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
+    for p in tile.packets.iter().filter(|p| p.live != 0) {
+        let radiance = packet(pass.world, p, lights, rays);
+        for k in p.lanes() {
+            if let Some(x) = &p.visible[k] {
+                out[p.pixels[k] as usize] += x.throughput * radiance[k];
+            }
+        }
+    }
+}
+
+/// Radiance leaving each point of a packet by a list of lights [cd/m²].
+pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
+    let mut irradiance = [Rgb::BLACK; LANES];
+    let mut radiance = [Rgb::BLACK; LANES];
+    for light in lights {
+        let plain = light.gloss.is_none() && !matches!(light.shine, Shine::Distant);
+        let together = if plain { p.lambertian } else { 0 };
+        if together != 0 {
+            let (g, lit) = geometry_terms(light, p, together);
+            if lit != 0 {
+                *rays += u64::from(lit.count_ones());
+                let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
+                for k in (0..LANES).filter(|k| seen & (1 << k) != 0) {
+                    irradiance[k] += light.intensity * g[k];
+                }
+            }
+        }
+        for k in (0..LANES).filter(|k| (p.live & !together) & (1 << k) != 0) {
+            if let Some(x) = &p.visible[k] {
+                radiance[k] += from_light(world, &x.surface, light, rays);
+            }
+        }
+    }
+    for k in (0..LANES).filter(|k| p.lambertian & (1 << k) != 0) {
+        if let Some(rho) = p.visible[k].as_ref().and_then(|x| x.surface.bsdf.lambertian()) {
+            radiance[k] += rho * irradiance[k] * FRAC_1_PI;
+        }
+    }
+    radiance
+}
+
+/// `geometry_term` for sixteen Lambertian reflectors, and the lanes where it is not zero.
+fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, lanes: u16) -> ([f32; LANES], u16) {
+    let y = light.position;
+    let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    let mut cos_y = [1.0; LANES];
+    let n = match light.shine {
+        Shine::Lambert(n) => n,
+        Shine::Beam(axis, _) => axis,
+        _ => Vec3::ZERO,
+    };
+    for k in 0..LANES {
+        let (dx, dy, dz) = (y.x - p.position[0][k], y.y - p.position[1][k], y.z - p.position[2][k]);
+        d2[k] = dx * dx + dy * dy + dz * dz;
+        cos_x[k] = dx * p.shading[0][k] + dy * p.shading[1][k] + dz * p.shading[2][k];
+        front[k] = dx * p.geometric[0][k] + dy * p.geometric[1][k] + dz * p.geometric[2][k];
+        cos_y[k] = -(dx * n.x + dy * n.y + dz * n.z);
+    }
+    let mut g = [0.0; LANES];
+    match light.shine {
+        Shine::Lambert(_) => {
+            for k in 0..LANES {
+                g[k] = (cos_x[k].max(0.0) * cos_y[k].max(0.0) / (d2[k] * d2[k])).min(light.bound);
+            }
+        }
+        Shine::Isotropic => {
+            for k in 0..LANES {
+                g[k] = cos_x[k].max(0.0) / (d2[k] * d2[k].sqrt());
+            }
+        }
+        Shine::Beam(_, beam) => {
+            for k in 0..LANES {
+                let d = d2[k].sqrt();
+                g[k] = cos_x[k].max(0.0) / (d2[k] * d) * beam.profile(cos_y[k] / d);
+            }
+        }
+        Shine::Distant => {}
+    }
+    let mut lit = 0u16;
+    for k in 0..LANES {
+        lit |= u16::from(g[k] > 0.0 && front[k] > 0.0) << k;
+    }
+    (g, lit & lanes)
+}

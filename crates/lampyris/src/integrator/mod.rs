@@ -1,0 +1,97 @@
+//! Integrators: summands, each one part of path space (docs/light-transport.md, "The partition").
+//!
+//! An integrator shades the visible points of a tile for one eye pass. Parts with disjoint paths add up to the whole;
+//! `path` alone covers everything and is the oracle. To add one: a file with an `impl Integrator`, a `mod` line and a
+//! row in [`ALL`].
+
+mod caustic;
+mod compensation;
+mod direct;
+mod emission;
+pub mod gather;
+mod path;
+mod vpl;
+
+use crate::backend::{Rays, Settings};
+use crate::color::Rgb;
+use crate::error::{Error, Result};
+use crate::eye::{Eye, Sampling, Tile};
+use crate::particle::{Plan, Vpl};
+use crate::world::World;
+
+/// What all tiles of one eye pass share.
+#[derive(Clone, Copy)]
+pub struct Pass<'w> {
+    /// The scene made traceable.
+    pub world: &'w World,
+    /// The settings of the picture.
+    pub settings: &'w Settings,
+    /// Bounds and counts.
+    pub plan: &'w Plan,
+    /// What looks.
+    pub eye: &'w Eye,
+    /// Light points of this pass: an unbiased stand-in for all light sources.
+    pub lights: &'w [Vpl<'w>],
+    /// Virtual point lights of this pass: an unbiased stand-in for all reflected light.
+    pub vpls: &'w [Vpl<'w>],
+    /// Which sample of each pixel.
+    pub sampling: Sampling,
+}
+
+/// TRAIT 2 of two: an algorithm, covering one part of path space.
+pub trait Integrator: Send + Sync {
+    /// Name on the command line and in files.
+    fn name(&self) -> &'static str;
+    /// The paths it covers, in the notation of docs/light-transport.md.
+    fn paths(&self) -> &'static str;
+    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` is row by row.
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays);
+}
+
+/// Every integrator: one table for program, tests and documentation.
+pub static ALL: &[&dyn Integrator] = &[
+    &emission::Emission,
+    &direct::Direct,
+    &vpl::VirtualLights,
+    &compensation::Compensation,
+    &caustic::Caustic,
+    &path::Path,
+];
+
+/// The parts that make the whole picture, each path once.
+pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "caustic"];
+
+/// The integrators of the names given, in the order of [`ALL`].
+///
+/// # Errors
+/// [`Error::BadSetting`] for an unknown name, for none at all, and for `path` beside another part, which would count
+/// paths twice.
+pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>> {
+    for name in names {
+        if !ALL.iter().any(|i| i.name() == name.as_ref()) {
+            let known: Vec<_> = ALL.iter().map(|i| i.name()).collect();
+            return Err(Error::BadSetting(format!(
+                "no part is called \"{}\"; known: all, {}",
+                name.as_ref(),
+                known.join(", ")
+            )));
+        }
+    }
+    let chosen: Vec<_> =
+        ALL.iter().copied().filter(|i| names.iter().any(|n| n.as_ref() == i.name())).collect();
+    if chosen.is_empty() {
+        return Err(Error::BadSetting("choose at least one part".into()));
+    }
+    if chosen.len() > 1 && chosen.iter().any(|i| i.name() == "path") {
+        return Err(Error::BadSetting("\"path\" covers every path: beside it any other part counts twice".into()));
+    }
+    Ok(chosen)
+}
+
+/// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.
+pub(crate) const STRIDE: u32 = 4;
+
+/// True in the passes whose turn it is. `phase` is a random number of the pixel, so that the mean is exact.
+pub(crate) fn turn_of(pass: &Pass<'_>, phase: u32) -> bool {
+    pass.sampling.index.wrapping_add(phase).is_multiple_of(STRIDE)
+}

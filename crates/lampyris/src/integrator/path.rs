@@ -1,0 +1,217 @@
+//! The oracle: a plain path tracer with next-event estimation and multiple importance sampling [Veach 1997].
+//!
+//! It sorts every contribution by the same partition as the fast parts, so that each of them has its own truth.
+//! It covers every path but caustics of point, spot and directional lights, which no path from the eye can find.
+
+use super::{Integrator, Pass};
+use crate::backend::Rays;
+use crate::color::Rgb;
+use crate::eye::{Eye, Numbers, Tile, balance};
+use crate::geometry::Ray;
+use crate::material::Class;
+use crate::sequence::ledger::eye as ledger;
+use crate::world::{Surface, World};
+use glam::Vec3;
+
+/// Vertices after which a path is continued by roulette.
+const CERTAIN_VERTICES: u32 = 4;
+
+/// Vertices after which a path ends. Roulette leaves one in 10⁹ of them where ρ ≤ 0.95.
+const MAX_VERTICES: u32 = 1024;
+
+/// Every path, by the oracle.
+pub(super) struct Path;
+
+impl Integrator for Path {
+    fn name(&self) -> &'static str {
+        "path"
+    }
+
+    fn paths(&self) -> &'static str {
+        "L (S|D)* E, less L_point S+ D S* E"
+    }
+
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+        for packet in &tile.packets {
+            for k in packet.lanes() {
+                let pixel = packet.pixels[k];
+                let start = match pass.eye {
+                    Eye::Camera(view) => {
+                        let (x, y) = (tile.rect.x + pixel % tile.rect.width, tile.rect.y + pixel / tile.rect.width);
+                        let offset = pass.sampling.offset;
+                        Start::Ray(view.ray(x as f32 + offset[0], y as f32 + offset[1]))
+                    }
+                    Eye::Meters(meters) => {
+                        let m = meters[(tile.rect.x + pixel) as usize];
+                        Start::Surface(Surface::meter(m.position, m.normal))
+                    }
+                };
+                let parts = trace(pass.world, start, Scope::Everything, packet.numbers[k].branch(b'p'.into()), rays);
+                out[pixel as usize] += parts.sum();
+            }
+        }
+    }
+}
+
+/// Where a path begins.
+pub(super) enum Start<'w> {
+    /// At the eye.
+    Ray(Ray),
+    /// At a surface that the eye sees.
+    Surface(Surface<'w>),
+}
+
+/// Which paths are followed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scope {
+    /// All.
+    Everything,
+    /// From the first dull vertex over a sharp one: the part *caustic* alone.
+    Caustics,
+}
+
+/// One estimate, sorted by the partition [cd/m²].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Parts {
+    pub(super) emission: Rgb,
+    pub(super) direct: Rgb,
+    /// *vpl* + *compensation*.
+    pub(super) indirect: Rgb,
+    pub(super) caustic: Rgb,
+}
+
+impl Parts {
+    fn sum(&self) -> Rgb {
+        self.emission + self.direct + self.indirect + self.caustic
+    }
+
+    fn add(&mut self, history: History, value: Rgb) {
+        match history {
+            History::Sharp => self.emission += value,
+            History::First => self.direct += value,
+            History::Dull => self.indirect += value,
+            History::Caustic => self.caustic += value,
+        }
+    }
+}
+
+/// What a path from the eye has met so far: light found now belongs to the part of the same row in the partition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum History {
+    /// S*.
+    Sharp,
+    /// S* x, the first dull vertex.
+    First,
+    /// S* x D …
+    Dull,
+    /// S* x S …
+    Caustic,
+}
+
+impl History {
+    fn after(self, class: Class) -> History {
+        match (self, class) {
+            (History::Sharp, Class::Sharp) => History::Sharp,
+            (History::Sharp, Class::Dull) => History::First,
+            (History::First, Class::Dull) => History::Dull,
+            (History::First, Class::Sharp) => History::Caustic,
+            (settled, _) => settled,
+        }
+    }
+}
+
+/// One path and its connections to the lights.
+pub(super) fn trace(world: &World, start: Start<'_>, scope: Scope, numbers: Numbers, rays: &mut Rays) -> Parts {
+    let mut parts = Parts::default();
+    let mut throughput = Rgb::WHITE;
+    let mut history = History::Sharp;
+    // Density with which the current ray was chosen; infinite if next-event estimation cannot have found the same.
+    let mut pdf = f32::INFINITY;
+    let mut surface = match start {
+        Start::Ray(ray) => arrive(world, ray, pdf, history, throughput, &mut parts, rays),
+        Start::Surface(surface) => Some(surface),
+    };
+    for vertex in 0..MAX_VERTICES {
+        let Some(x) = surface else { break };
+        let allowed = |class| match (scope, vertex, class) {
+            (Scope::Caustics, 0, Class::Sharp) | (Scope::Caustics, 1, Class::Dull) => 0.0,
+            _ => x.bsdf.albedo(class, Vec3::Z).max_channel().max(0.0),
+        };
+        let (sharp, dull) = (allowed(Class::Sharp), allowed(Class::Dull));
+        if sharp + dull <= 0.0 {
+            break;
+        }
+        let probability = |class| (if class == Class::Sharp { sharp } else { dull }) / (sharp + dull);
+        for class in [Class::Sharp, Class::Dull] {
+            if probability(class) > 0.0 {
+                let lit = connect(world, &x, class, probability(class), numbers, vertex, rays);
+                parts.add(history.after(class), throughput * lit);
+            }
+        }
+        let class =
+            if numbers.one(ledger::class(vertex)) < probability(Class::Sharp) { Class::Sharp } else { Class::Dull };
+        let u = numbers.pair(ledger::direction(vertex));
+        let Some(s) = x.sample(class, u, numbers.one(ledger::lobe(vertex))) else { break };
+        throughput *= s.weight * (1.0 / probability(class));
+        history = history.after(class);
+        pdf = s.pdf * probability(class);
+        if vertex >= CERTAIN_VERTICES {
+            let stay = throughput.max_channel().clamp(0.0, 0.98);
+            if numbers.one(ledger::roulette(vertex)) >= stay {
+                break;
+            }
+            throughput *= 1.0 / stay;
+        }
+        surface = arrive(world, Ray::new(x.spawn(s.wi), s.wi), pdf, history, throughput, &mut parts, rays);
+    }
+    if scope == Scope::Caustics { Parts { caustic: parts.caustic, ..Parts::default() } } else { parts }
+}
+
+/// Traces a ray and counts what glows along it and at its end.
+fn arrive<'w>(
+    world: &'w World,
+    ray: Ray,
+    pdf: f32,
+    history: History,
+    throughput: Rgb,
+    parts: &mut Parts,
+    rays: &mut Rays,
+) -> Option<Surface<'w>> {
+    rays.path += 1;
+    let met = world.closest(&ray);
+    let t_max = met.as_ref().map_or(f32::INFINITY, |y| (y.position - ray.origin).length());
+    world.glows(ray.origin, ray.direction, t_max, |glow| {
+        parts.add(history, throughput * glow.radiance * balance(pdf, glow.pdf));
+    });
+    if let Some(y) = met.as_ref().filter(|y| !y.emission.is_black()) {
+        let weight = if pdf.is_finite() { balance(pdf, world.pdf_toward(y, ray.origin)) } else { 1.0 };
+        parts.add(history, throughput * y.emission * weight);
+    }
+    met
+}
+
+/// Light that one class of lobes at `x` sends on, by a sampled point of a light.
+fn connect(
+    world: &World,
+    x: &Surface<'_>,
+    class: Class,
+    probability: f32,
+    numbers: Numbers,
+    vertex: u32,
+    rays: &mut Rays,
+) -> Rgb {
+    let Some((k, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else { return Rgb::BLACK };
+    let emitter = &world.emitters()[k as usize];
+    let Some(arrival) = emitter.toward(x.position, numbers.pair(ledger::light_point(vertex))) else {
+        return Rgb::BLACK;
+    };
+    let value = x.eval(class, x.wo, arrival.wi) * x.cosine(arrival.wi);
+    if value.is_black() {
+        return Rgb::BLACK;
+    }
+    rays.path += 1;
+    if !world.unblocked(x.spawn(arrival.wi), &arrival) {
+        return Rgb::BLACK;
+    }
+    value * arrival.weight * (balance(share * arrival.pdf, probability * x.pdf(class, arrival.wi)) / share)
+}

@@ -1,0 +1,324 @@
+//! A light made ready for sampling: lamps, one side of an emissive surface, or the environment.
+//! One interface serves the walk of particles (`emit`), the gather (`point`), and next-event estimation with
+//! multiple importance sampling (`toward`, `pdf`). Choosing among emitters is the world's business.
+
+use super::surface::EmissiveSide;
+use super::{Beam, Light, LightKind};
+use crate::color::Rgb;
+use crate::geometry::Frame;
+use crate::sampling::{concentric_disc, cosine_hemisphere, cosine_power, uniform_cone, uniform_sphere};
+use glam::Vec3;
+use std::f32::consts::{FRAC_1_PI, PI, TAU};
+
+/// A light source with everything that sampling needs.
+#[derive(Clone, Debug)]
+pub enum Emitter {
+    /// A lamp that is no surface of the scene.
+    Lamp(LightKind),
+    /// One side of all triangles of an instance that share an emitting material.
+    Side(EmissiveSide),
+    /// The constant environment, as seen from within the sphere that bounds the scene.
+    Environment {
+        /// Radiance [cd/m²].
+        radiance: Rgb,
+    },
+}
+
+/// A particle that leaves a light.
+#[derive(Clone, Copy, Debug)]
+pub struct Departure {
+    /// Where it starts, off the surface [m].
+    pub origin: Vec3,
+    /// Unit direction.
+    pub direction: Vec3,
+}
+
+/// A point of a light as the gather sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct LightPoint {
+    /// Where rays to it end [m]; for a distant light the unit direction toward it.
+    pub position: Vec3,
+    /// How it shines.
+    pub shine: Shine,
+    /// Radiance × area toward the normal [cd], or illuminance of a distant light [lx].
+    pub intensity: Rgb,
+}
+
+/// The angular law of a point that shines.
+#[derive(Clone, Copy, Debug)]
+pub enum Shine {
+    /// cos θ about a normal: an area element. Its geometry term is bounded and compensated.
+    Lambert(Vec3),
+    /// Alike in all directions.
+    Isotropic,
+    /// A spot's beam about an axis.
+    Beam(Vec3, Beam),
+    /// Parallel light: no distance law.
+    Distant,
+}
+
+/// Light that a point receives from a sampled place of an emitter.
+#[derive(Clone, Copy, Debug)]
+pub struct Arrival {
+    /// Unit direction toward the light.
+    pub wi: Vec3,
+    /// Where the shadow ray ends; `None` for a distant light.
+    pub end: Option<Vec3>,
+    /// Radiance ÷ density: illuminance before the receiver's cosine [lx].
+    pub weight: Rgb,
+    /// Density of `wi` [sr⁻¹]; infinite where no ray can find the light.
+    pub pdf: f32,
+}
+
+/// The sphere around the scene, from which distant light sets out.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bounds {
+    /// Centre [m].
+    pub center: Vec3,
+    /// Radius [m].
+    pub radius: f32,
+}
+
+impl Emitter {
+    /// Luminous flux [lm] per channel; for distant light, the flux through the scene's bounding sphere.
+    pub fn power(&self, bounds: Bounds) -> Rgb {
+        let disc = PI * bounds.radius * bounds.radius;
+        match self {
+            Emitter::Lamp(LightKind::Point { intensity, .. }) => *intensity * (4.0 * PI),
+            Emitter::Lamp(LightKind::Spot { intensity, beam, .. }) => *intensity * beam.solid_angle(),
+            Emitter::Lamp(LightKind::Directional { illuminance, .. }) => *illuminance * disc,
+            Emitter::Lamp(LightKind::Sphere { radius, radiance, .. }) => *radiance * (4.0 * PI * PI * radius * radius),
+            Emitter::Lamp(LightKind::Disc { radius, radiance, .. }) => *radiance * (PI * PI * radius * radius),
+            Emitter::Side(side) => side.radiance * (PI * side.area),
+            Emitter::Environment { radiance } => *radiance * (4.0 * PI * disc),
+        }
+    }
+
+    /// Area of the shining surface [m²]; 0 for lights that have none.
+    pub fn area(&self) -> f32 {
+        match self {
+            Emitter::Lamp(LightKind::Sphere { radius, .. }) => 4.0 * PI * radius * radius,
+            Emitter::Lamp(LightKind::Disc { radius, .. }) => PI * radius * radius,
+            Emitter::Side(side) => side.area,
+            _ => 0.0,
+        }
+    }
+
+    /// A particle of the emitter's light: place by `u[0..2]`, direction by `u[2..4]`, so distributed that each
+    /// particle carries the same flux, the emitter's power.
+    pub fn emit(&self, u: [f32; 4], bounds: Bounds) -> Departure {
+        let (place, turn) = ([u[0], u[1]], [u[2], u[3]]);
+        let from_infinity = |travel: Vec3| {
+            let f = Frame::new(travel);
+            let [x, y] = concentric_disc(place);
+            Departure { origin: bounds.center + (f.s * x + f.t * y - travel) * bounds.radius, direction: travel }
+        };
+        match self {
+            Emitter::Lamp(LightKind::Point { position, .. }) => {
+                Departure { origin: *position, direction: uniform_sphere(turn) }
+            }
+            Emitter::Lamp(LightKind::Spot { position, direction, beam, .. }) => {
+                Departure { origin: *position, direction: Frame::new(*direction).to_world(beam.sample(turn)) }
+            }
+            Emitter::Lamp(LightKind::Directional { direction, .. }) => from_infinity(*direction),
+            Emitter::Environment { .. } => from_infinity(uniform_sphere(turn)),
+            Emitter::Lamp(LightKind::Sphere { center, radius, .. }) => {
+                let n = uniform_sphere(place);
+                leave(*center + n * *radius, n, turn)
+            }
+            Emitter::Lamp(LightKind::Disc { center, normal, radius, .. }) => {
+                leave(on_disc(*center, *normal, *radius, place), *normal, turn)
+            }
+            Emitter::Side(side) => {
+                let (p, n) = side.point(place);
+                leave(p, n, turn)
+            }
+        }
+    }
+
+    /// The point of the emitter that `u` places: the start of `emit` with the same two numbers.
+    pub fn point(&self, u: [f32; 2]) -> LightPoint {
+        match self {
+            Emitter::Lamp(LightKind::Point { position, intensity }) => {
+                LightPoint { position: *position, shine: Shine::Isotropic, intensity: *intensity }
+            }
+            Emitter::Lamp(LightKind::Spot { position, direction, intensity, beam }) => {
+                LightPoint { position: *position, shine: Shine::Beam(*direction, *beam), intensity: *intensity }
+            }
+            Emitter::Lamp(LightKind::Directional { direction, illuminance }) => {
+                LightPoint { position: -*direction, shine: Shine::Distant, intensity: *illuminance }
+            }
+            Emitter::Lamp(LightKind::Sphere { center, radius, radiance }) => {
+                let n = uniform_sphere(u);
+                LightPoint {
+                    position: *center + n * *radius,
+                    shine: Shine::Lambert(n),
+                    intensity: *radiance * self.area(),
+                }
+            }
+            Emitter::Lamp(LightKind::Disc { center, normal, radius, radiance }) => LightPoint {
+                position: on_disc(*center, *normal, *radius, u),
+                shine: Shine::Lambert(*normal),
+                intensity: *radiance * self.area(),
+            },
+            Emitter::Side(side) => {
+                let (position, n) = side.point(u);
+                LightPoint { position, shine: Shine::Lambert(n), intensity: side.radiance * side.area }
+            }
+            Emitter::Environment { radiance } => {
+                LightPoint { position: uniform_sphere(u), shine: Shine::Distant, intensity: *radiance * (4.0 * PI) }
+            }
+        }
+    }
+
+    /// A direction from `x` toward the emitter, by `u`; `None` where it shines away from `x`.
+    pub fn toward(&self, x: Vec3, u: [f32; 2]) -> Option<Arrival> {
+        if let Emitter::Lamp(LightKind::Sphere { center, radius, radiance }) = self {
+            // The visible cap's cone: uniform in solid angle.
+            let cos_max = cone_of_sphere(*center - x, *radius)?;
+            let axis = (*center - x).normalize();
+            let wi = Frame::new(axis).to_world(uniform_cone(u, cos_max));
+            let t = entry(x, wi, *center, *radius).unwrap_or((*center - x).length() - radius);
+            let solid_angle = TAU * (1.0 - cos_max);
+            return Some(Arrival { wi, end: Some(x + wi * t), weight: *radiance * solid_angle, pdf: 1.0 / solid_angle });
+        }
+        let point = self.point(u);
+        if let Shine::Distant = point.shine {
+            let pdf = if matches!(self, Emitter::Environment { .. }) { 0.25 * FRAC_1_PI } else { f32::INFINITY };
+            return Some(Arrival { wi: point.position, end: None, weight: point.intensity, pdf });
+        }
+        let d = point.position - x;
+        let d2 = d.length_squared();
+        if d2 == 0.0 {
+            return None;
+        }
+        let wi = d / d2.sqrt();
+        let (share, pdf) = match point.shine {
+            Shine::Lambert(n) => {
+                let cos = -n.dot(wi);
+                (cos, d2 / (cos * self.area()))
+            }
+            Shine::Beam(axis, beam) => (beam.profile(-axis.dot(wi)), f32::INFINITY),
+            _ => (1.0, f32::INFINITY),
+        };
+        (share > 0.0).then(|| Arrival {
+            wi,
+            end: Some(point.position),
+            weight: point.intensity * (share / d2),
+            pdf,
+        })
+    }
+
+    /// The density of `toward` [sr⁻¹] for the emitter's point that lies `distance` away and is met under
+    /// `cosine` (of the angle between the ray back and the emitter's normal there).
+    pub fn pdf(&self, x: Vec3, distance: f32, cosine: f32) -> f32 {
+        match self {
+            Emitter::Lamp(LightKind::Sphere { center, radius, .. }) => {
+                cone_of_sphere(*center - x, *radius).map_or(0.0, |c| 1.0 / (TAU * (1.0 - c)))
+            }
+            Emitter::Environment { .. } => 0.25 * FRAC_1_PI,
+            Emitter::Lamp(LightKind::Disc { .. }) | Emitter::Side(_) => distance * distance / (cosine * self.area()),
+            Emitter::Lamp(_) => 0.0,
+        }
+    }
+
+    /// Where a ray meets a lamp's glowing surface, which it then passes: (distance, radiance, cosine).
+    ///
+    /// `direction` is a unit vector. Only spheres and discs can be met.
+    pub fn met_by(&self, origin: Vec3, direction: Vec3, t_max: f32) -> Option<(f32, Rgb, f32)> {
+        match self {
+            Emitter::Lamp(LightKind::Sphere { center, radius, radiance }) => {
+                let t = entry(origin, direction, *center, *radius).filter(|t| *t < t_max)?;
+                let n = (origin + direction * t - *center) / *radius;
+                Some((t, *radiance, -n.dot(direction)))
+            }
+            Emitter::Lamp(LightKind::Disc { center, normal, radius, radiance }) => {
+                let cosine = -normal.dot(direction);
+                let t = (origin - *center).dot(*normal) / cosine;
+                let inside = |t: f32| (origin + direction * t - *center).length_squared() <= radius * radius;
+                (cosine > 0.0 && t > 0.0 && t < t_max && inside(t)).then_some((t, *radiance, cosine))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Beam {
+    /// Intensity at an angle off the axis, relative to the axis.
+    pub fn profile(&self, cos: f32) -> f32 {
+        match *self {
+            Beam::Cone { cos_inner, cos_outer } => {
+                let ramp = ((cos - cos_outer) / (cos_inner - cos_outer)).clamp(0.0, 1.0);
+                ramp * ramp
+            }
+            Beam::Cosine { exponent } if cos > 0.0 => libm::powf(cos, exponent),
+            Beam::Cosine { .. } => 0.0,
+        }
+    }
+
+    /// ∫ profile dω [sr].
+    pub fn solid_angle(&self) -> f32 {
+        match *self {
+            // Full cap, plus ∫ ramp² over the rim: a third of its width in cosine.
+            Beam::Cone { cos_inner, cos_outer } => TAU * ((1.0 - cos_inner) + (cos_inner - cos_outer) / 3.0),
+            Beam::Cosine { exponent } => TAU / (exponent + 1.0),
+        }
+    }
+
+    /// A direction about +z with density profile / solid angle, by inversion of the cosine's distribution.
+    pub fn sample(&self, u: [f32; 2]) -> Vec3 {
+        match *self {
+            Beam::Cone { cos_inner, cos_outer } => {
+                let (cap, rim) = (1.0 - cos_inner, (cos_inner - cos_outer) / 3.0);
+                let v = u[0] * (cap + rim);
+                let cos = if v < cap { 1.0 - v } else { cos_outer + (cos_inner - cos_outer) * cube_root_of_rest(v - cap, rim) };
+                let sin = (1.0 - cos * cos).max(0.0).sqrt();
+                let (s, c) = libm::sincosf(TAU * u[1]);
+                Vec3::new(sin * c, sin * s, cos)
+            }
+            Beam::Cosine { exponent } => cosine_power(u, exponent),
+        }
+    }
+}
+
+/// Inverse of 1 − r³ = v/rim: the ramp value that leaves the share v/rim of the rim's light above it.
+fn cube_root_of_rest(v: f32, rim: f32) -> f32 {
+    libm::cbrtf((1.0 - v / rim).clamp(0.0, 1.0))
+}
+
+impl From<&Light> for Emitter {
+    fn from(light: &Light) -> Emitter {
+        Emitter::Lamp(light.kind.clone())
+    }
+}
+
+/// A departure from an area element with Lambertian radiance.
+fn leave(origin: Vec3, n: Vec3, u: [f32; 2]) -> Departure {
+    Departure { origin, direction: Frame::new(n).to_world(cosine_hemisphere(u)) }
+}
+
+fn on_disc(center: Vec3, normal: Vec3, radius: f32, u: [f32; 2]) -> Vec3 {
+    let f = Frame::new(normal);
+    let [x, y] = concentric_disc(u);
+    center + (f.s * x + f.t * y) * radius
+}
+
+/// Cosine of the half-angle under which a sphere is seen; `None` from inside, where it does not shine.
+fn cone_of_sphere(to_center: Vec3, radius: f32) -> Option<f32> {
+    let sin2 = radius * radius / to_center.length_squared();
+    (sin2 < 1.0).then(|| (1.0 - sin2).sqrt())
+}
+
+/// Distance at which a ray enters a sphere from outside.
+fn entry(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) -> Option<f32> {
+    let to_center = center - origin;
+    let b = to_center.dot(direction);
+    // Distance of the ray from the centre by the rejected part: no cancellation for far spheres.
+    let miss2 = (to_center - direction * b).length_squared();
+    let h2 = radius * radius - miss2;
+    if h2 < 0.0 {
+        return None;
+    }
+    let t = b - h2.sqrt();
+    (t > 0.0).then_some(t)
+}

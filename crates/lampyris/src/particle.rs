@@ -1,0 +1,304 @@
+//! Keller's quasi-random walk: particles leave the lights, bounce, and at every dull vertex leave a virtual point
+//! light [Keller97, §3.2; docs/light-transport.md, "The walk"].
+//! Each light has its own sub-sequence and a fixed share of the paths; a vertex' flux is already divided by the
+//! expected number of particles of its generation. Nothing here knows of pixels.
+
+use crate::backend::{Absorption, Batch, Settings};
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::light::Shine;
+use crate::material::{Bsdf, Class};
+use crate::sequence::{self, ledger::light as ledger, radical_inverse};
+use crate::world::{Surface, World};
+use glam::Vec3;
+use rayon::prelude::*;
+use std::f32::consts::FRAC_1_PI;
+
+/// A point that shines on others: a sampled point of a light, or a vertex of the walk.
+#[derive(Clone, Copy, Debug)]
+pub struct Vpl<'w> {
+    /// Where shadow rays start [m]; the direction toward a distant light.
+    pub position: Vec3,
+    /// Its angular law. Vertices are Lambertian area elements even where their BSDF is not: the law is then the
+    /// geometry's part alone.
+    pub shine: Shine,
+    /// Radiance × area [cd] of a Lambertian, intensity [cd] of a point, illuminance [lx] of a distant light;
+    /// flux [lm] where `gloss` evaluates the BSDF.
+    pub intensity: Rgb,
+    /// b: the geometry term is clamped to this [m⁻²] (docs/light-transport.md, "Clamping").
+    pub bound: f32,
+    /// The vertex itself where its dull lobes are not Lambertian; its `wo` is where the particle came from.
+    pub gloss: Option<Surface<'w>>,
+}
+
+/// What settings and world fix for all batches: counts, survival and bounds.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// q, the survival from one generation to the next.
+    pub survival: f32,
+    /// b for vertices of the walk [m⁻²].
+    pub bound: f32,
+    /// b for the points of each emitter [m⁻²].
+    pub emitter_bounds: Vec<f32>,
+    /// Length of the ray beyond which no emitter's geometry term exceeds its bound [m].
+    pub emitter_reach: f32,
+    absorption: Absorption,
+    /// x₀ of each emitter: its expected (or floored) number of paths.
+    starts: Vec<f64>,
+}
+
+/// The lights of one batch, sorted by the eye pass that gathers them.
+#[derive(Clone, Debug, Default)]
+pub struct Walk<'w> {
+    /// Points of the lights: generation 0.
+    pub lights: Vec<Vpl<'w>>,
+    /// Vertices: generations 1 and up.
+    pub vpls: Vec<Vpl<'w>>,
+    light_starts: Vec<usize>,
+    vpl_starts: Vec<usize>,
+    /// Rays that the particles took.
+    pub rays: u64,
+}
+
+impl Plan {
+    /// Counts and bounds: functions of settings and geometry only, never of a picture.
+    pub fn new(world: &World, settings: &Settings) -> Plan {
+        let n = f64::from(settings.paths);
+        let mean = world.mean_reflectance();
+        let survival = match settings.absorption {
+            // Survive often: the variance of generation j grows like (ρ²/q)ʲ where a niche is brighter than ρ̄.
+            Absorption::Fractional => mean.clamp(0.7, 0.95),
+            Absorption::Paper | Absorption::Roulette => mean.clamp(0.01, 0.99),
+        };
+        let starts: Vec<f64> = world
+            .shares()
+            .iter()
+            .map(|p| match settings.absorption {
+                Absorption::Paper if *p > 0.0 => (n * f64::from(*p)).floor().max(1.0),
+                _ => n * f64::from(*p),
+            })
+            .collect();
+        let bound_of = |area: f64, count: f64| {
+            let r2 = f64::from(settings.clamp * settings.clamp) * area / count;
+            if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
+        };
+        let q = f64::from(survival);
+        let emitter_bounds: Vec<f32> = world
+            .emitters()
+            .iter()
+            .zip(&starts)
+            .map(|(e, x0)| if *x0 > 0.0 { bound_of(f64::from(e.area()), *x0) } else { f32::INFINITY })
+            .collect();
+        let weakest = emitter_bounds.iter().copied().fold(f32::INFINITY, f32::min);
+        Plan {
+            survival,
+            bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
+            emitter_reach: 1.0 / weakest.sqrt(),
+            emitter_bounds,
+            absorption: settings.absorption,
+            starts,
+        }
+    }
+
+    /// x_j: the number of particles of generation j that the weights assume.
+    fn expected(&self, emitter: usize, generation: u32) -> f64 {
+        let x0 = self.starts[emitter];
+        let thinned = x0 * f64::from(self.survival).powi(generation as i32);
+        match self.absorption {
+            Absorption::Fractional => thinned,
+            Absorption::Paper => thinned.floor(),
+            Absorption::Roulette => x0,
+        }
+    }
+}
+
+/// One particle's numbers.
+struct Path {
+    emitter: usize,
+    /// i + ξ: alive in generation j while this is below x_j.
+    rank: f64,
+    index: u32,
+    seed: u32,
+    pass: u32,
+}
+
+impl<'w> Walk<'w> {
+    /// Walks all particles of a batch. The result depends on nothing but its arguments.
+    pub fn new(world: &'w World, settings: &Settings, plan: &Plan, batch: Batch) -> Walk<'w> {
+        let passes = settings.eye_passes();
+        let paths = start_paths(world, settings, plan, batch);
+        let traced: Vec<Traced<'w>> =
+            paths.par_iter().with_min_len(16).map(|p| trace(world, settings, plan, p)).collect();
+        let mut walk = Walk::default();
+        let mut by_pass: Vec<Vec<usize>> = vec![Vec::new(); passes as usize];
+        for (k, path) in paths.iter().enumerate() {
+            by_pass[path.pass as usize].push(k);
+        }
+        for members in by_pass {
+            walk.light_starts.push(walk.lights.len());
+            walk.vpl_starts.push(walk.vpls.len());
+            for k in members {
+                walk.lights.push(traced[k].light);
+                walk.vpls.extend_from_slice(&traced[k].vertices);
+                walk.rays += traced[k].rays;
+            }
+        }
+        walk.light_starts.push(walk.lights.len());
+        walk.vpl_starts.push(walk.vpls.len());
+        walk
+    }
+
+    /// The lights of eye pass `pass`.
+    pub fn lights_of(&self, pass: u32) -> &[Vpl<'w>] {
+        &self.lights[self.light_starts[pass as usize]..self.light_starts[pass as usize + 1]]
+    }
+
+    /// The vertices of eye pass `pass`.
+    pub fn vpls_of(&self, pass: u32) -> &[Vpl<'w>] {
+        &self.vpls[self.vpl_starts[pass as usize]..self.vpl_starts[pass as usize + 1]]
+    }
+}
+
+/// Deals the batch's paths to emitters, sequence indices and eye passes.
+fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) -> Vec<Path> {
+    let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
+    let seed = sequence::hash(settings.seed, replicate);
+    // Unscrambled sequences know no randomisations: there every batch takes the next block of the one sequence.
+    let block_in_sequence = if settings.sequence.is_randomised() { block } else { batch.index };
+    let passes = settings.eye_passes();
+    let stride = golden_stride(passes);
+    let first = sequence::hash(seed, block ^ 0x5eed_0ff5) % passes;
+    let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
+    for emitter in 0..world.emitters().len() {
+        let x0 = plan.expected(emitter, 0);
+        let seed = sequence::hash(seed, emitter as u32 + 1);
+        let threshold = match settings.absorption {
+            Absorption::Paper => 0.0,
+            _ => threshold(seed, block),
+        };
+        let base = block_in_sequence.wrapping_mul(x0.ceil() as u32);
+        for i in 0.. {
+            let rank = f64::from(i) + threshold;
+            if rank >= x0 {
+                break;
+            }
+            // Consecutive paths spread over the passes, or survivors, a prefix, would sit in a corner of the pixel.
+            let order = paths.len() as u64;
+            let pass = ((order * u64::from(stride) + u64::from(first)) % u64::from(passes)) as u32;
+            paths.push(Path { emitter, rank, index: base.wrapping_add(i), seed, pass });
+        }
+    }
+    paths
+}
+
+/// ξ in (0, 1), never 0: drawn for a light once, then shifted by the radical inverse of the block, so that the
+/// thresholds of successive batches are stratified.
+fn threshold(seed: u32, block: u32) -> f64 {
+    let shift = f64::from(sequence::uniform(seed, 0, 0));
+    let xi = (shift + f64::from(radical_inverse(2, block))).fract();
+    ((xi * 16_777_216.0).floor() + 0.5) / 16_777_216.0
+}
+
+/// A stride near passes/φ that shares no divisor with `passes`.
+fn golden_stride(passes: u32) -> u32 {
+    let gcd = |mut a: u32, mut b: u32| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    let near = (f64::from(passes) * 0.618_033_988_75) as u32;
+    (near.max(1)..).find(|s| gcd(*s, passes) == 1).unwrap_or(1)
+}
+
+struct Traced<'w> {
+    light: Vpl<'w>,
+    vertices: Vec<Vpl<'w>>,
+    rays: u64,
+}
+
+fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) -> Traced<'w> {
+    let emitter = &world.emitters()[path.emitter];
+    let number = |dimension: u32| settings.sequence.sample(path.index, dimension, path.seed);
+    let pair = |dimension: u32| settings.sequence.pair(path.index, dimension, path.seed);
+    let roulette = settings.absorption == Absorption::Roulette;
+    // A pass sees 1/E of the paths: what it gathers stands for all of them.
+    let share = settings.eye_passes() as f32;
+
+    let (place, turn) = (pair(ledger::POINT), pair(ledger::EMISSION));
+    let point = emitter.point(place);
+    let light = Vpl {
+        position: point.position,
+        shine: point.shine,
+        intensity: point.intensity * (share / plan.expected(path.emitter, 0) as f32),
+        bound: plan.emitter_bounds[path.emitter],
+        gloss: None,
+    };
+
+    let mut vertices = Vec::new();
+    let mut rays = 0;
+    let start = emitter.emit([place[0], place[1], turn[0], turn[1]], world.bounds());
+    let mut ray = Ray::new(start.origin, start.direction);
+    let mut flux = emitter.power(world.bounds());
+    for generation in 1.. {
+        let expected = plan.expected(path.emitter, generation);
+        if path.rank >= expected {
+            break;
+        }
+        rays += 1;
+        let Some(y) = world.closest(&ray) else { break };
+        deposit(&y, flux * (share / expected as f32), plan.bound, &mut vertices);
+
+        let (sharp, dull) = (y.bsdf.albedo(Class::Sharp, Vec3::Z), y.bsdf.albedo(Class::Dull, Vec3::Z));
+        let (s, d) = (sharp.max_channel().max(0.0), dull.max_channel().max(0.0));
+        if s + d <= 0.0 {
+            break;
+        }
+        // One number chooses the class and, rescaled, the lobe within it.
+        let choice = number(ledger::choice(generation)) * (s + d);
+        let (class, probability, choice) =
+            if choice < d { (Class::Dull, d, choice / d) } else { (Class::Sharp, s, (choice - d) / s) };
+        let u = pair(ledger::direction(generation));
+        let Some(scatter) = y.scatter_flux(class, u, choice.min(1.0 - f32::EPSILON)) else { break };
+        let mut weight = scatter.weight * ((s + d) / probability);
+        if roulette {
+            let stay = weight.max_channel().clamp(0.0, 1.0);
+            if number(ledger::roulette(generation)) >= stay {
+                break;
+            }
+            weight *= 1.0 / stay;
+        }
+        flux *= weight;
+        if flux.is_black() {
+            break;
+        }
+        ray = Ray::new(y.spawn(scatter.wi), scatter.wi);
+    }
+    Traced { light, vertices, rays }
+}
+
+/// Leaves virtual point lights at a vertex: one on each side to which its dull lobes send light.
+fn deposit<'w>(y: &Surface<'w>, flux: Rgb, bound: f32, vertices: &mut Vec<Vpl<'w>>) {
+    let Some(arrived) = y.flux_density() else { return };
+    let flux = flux * arrived;
+    let mut leave = |normal: Vec3, intensity: Rgb, gloss: Option<Surface<'w>>| {
+        let position = y.spawn(normal);
+        if !intensity.is_black() {
+            vertices.push(Vpl { position, shine: Shine::Lambert(normal), intensity, bound, gloss });
+        }
+    };
+    match y.bsdf {
+        // I_k = ρ Φ / π: radiance × area toward the normal [Keller97, eq. 2, with π f_d = ρ_d].
+        Bsdf::Diffuse(m) => {
+            leave(y.normal, flux * m.reflectance * FRAC_1_PI, None);
+            leave(-y.normal, flux * m.transmittance * FRAC_1_PI, None);
+        }
+        other => match other.lambertian() {
+            Some(rho) => leave(y.normal, flux * rho * FRAC_1_PI, None),
+            None => {
+                leave(y.normal, flux, Some(*y));
+                leave(-y.normal, flux, Some(*y));
+            }
+        },
+    }
+}

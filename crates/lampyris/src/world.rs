@@ -1,0 +1,313 @@
+//! The scene made traceable: hierarchy, emitters with their fixed shares, and the few figures that settings need.
+//! It changes only between frames and is shared, read-only, by everything that shades.
+
+mod surface;
+
+pub use surface::Surface;
+
+use crate::color::Rgb;
+use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Tracer};
+use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle};
+use crate::material::{Class, Sides};
+use crate::scene::Scene;
+use crate::sequence;
+use glam::Vec3;
+use std::collections::HashMap;
+
+/// The least share of a two-sided emitter's particles that its worse side keeps: never 0, or its light were lost.
+const LEAST_SIDE: f32 = 0.05;
+
+/// A scene ready for light.
+pub struct World {
+    scene: Scene,
+    tracer: Tracer,
+    emitters: Vec<Emitter>,
+    /// p_ℓ: the share of the light paths that starts at each emitter; sums to 1.
+    shares: Vec<f32>,
+    /// Running sum of the shares.
+    cumulative: Vec<f32>,
+    /// (instance, material) → emitters of its front and its back.
+    sides: HashMap<(u32, u32), [Option<u32>; 2]>,
+    /// Emitters that rays can meet without hitting a triangle: spheres and discs.
+    lamps: Vec<u32>,
+    environment: Option<u32>,
+    bounds: Bounds,
+    area: f32,
+    mean_reflectance: f32,
+}
+
+/// What a ray meets on its way to the first surface: a lamp's glow, or the environment behind everything.
+#[derive(Clone, Copy, Debug)]
+pub struct Glow {
+    /// Radiance toward the ray's origin [cd/m²].
+    pub radiance: Rgb,
+    /// Probability of choosing the emitter times the density of `toward` for it [sr⁻¹].
+    pub pdf: f32,
+    /// How far away [lengths of the ray's unit direction]; infinite for the environment.
+    pub distance: f32,
+    /// Cosine at the emitter; 1 for the environment.
+    pub cosine: f32,
+    /// Which emitter.
+    pub emitter: u32,
+}
+
+impl World {
+    /// Builds hierarchy and emitters.
+    pub fn new(scene: Scene) -> World {
+        let one_sided = |m: &crate::scene::Mesh| -> Vec<bool> {
+            m.materials.iter().map(|k| scene.materials[*k as usize].sides == Sides::FrontOnly).collect()
+        };
+        let one_sided: Vec<Vec<bool>> = scene.meshes.iter().map(one_sided).collect();
+        let meshes: Vec<MeshGeometry<'_>> = scene
+            .meshes
+            .iter()
+            .zip(&one_sided)
+            .map(|(m, one_sided)| MeshGeometry { positions: &m.positions, triangles: &m.triangles, one_sided })
+            .collect();
+        let placements: Vec<Placement> =
+            scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
+        let tracer = Tracer::build(&meshes, &placements);
+        let mut world = World {
+            tracer,
+            emitters: scene.lights.iter().map(Emitter::from).collect(),
+            shares: Vec::new(),
+            cumulative: Vec::new(),
+            sides: HashMap::new(),
+            lamps: Vec::new(),
+            environment: None,
+            bounds: Bounds::default(),
+            area: 0.0,
+            mean_reflectance: 0.0,
+            scene,
+        };
+        world.measure_surfaces();
+        let lit = |e: &Emitter| e.area() > 0.0 && matches!(e, Emitter::Lamp(_));
+        world.lamps = (0..).zip(&world.emitters).filter(|(_, e)| lit(e)).map(|(k, _)| k).collect();
+        world.gather_emissive_sides();
+        if !world.scene.environment.is_black() {
+            world.environment = Some(world.emitters.len() as u32);
+            world.emitters.push(Emitter::Environment { radiance: world.scene.environment });
+        }
+        world.share_out();
+        world
+    }
+
+    /// The scene as it stands.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The ray tracer.
+    pub fn tracer(&self) -> &Tracer {
+        &self.tracer
+    }
+
+    /// All emitters, in an order fixed by the scene.
+    pub fn emitters(&self) -> &[Emitter] {
+        &self.emitters
+    }
+
+    /// p_ℓ of each emitter.
+    pub fn shares(&self) -> &[f32] {
+        &self.shares
+    }
+
+    /// The sphere around everything.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    /// Total surface area A [m²], each side of a surface counted once.
+    pub fn area(&self) -> f32 {
+        self.area
+    }
+
+    /// ρ̄ = Σ ρ_k A_k / Σ A_k, luminance of all lobes [Keller97, §3.2].
+    pub fn mean_reflectance(&self) -> f32 {
+        self.mean_reflectance
+    }
+
+    /// True if any surface has sharp lobes: without them there are no caustics.
+    pub fn has_sharp_surfaces(&self) -> bool {
+        self.scene.materials.iter().any(|m| !m.bsdf.albedo(Class::Sharp, Vec3::Z).is_black())
+    }
+
+    /// The first surface on a ray.
+    pub fn closest(&self, ray: &Ray) -> Option<Surface<'_>> {
+        self.tracer.closest(ray).map(|hit| self.surface(ray.direction, &hit))
+    }
+
+    /// True where nothing blocks the open segment.
+    pub fn visible(&self, a: Vec3, b: Vec3) -> bool {
+        !self.tracer.occluded(&Ray::between(a, b))
+    }
+
+    /// The surface at a hit, seen along `direction` [any length].
+    pub fn surface(&self, direction: Vec3, hit: &Hit) -> Surface<'_> {
+        Surface::new(&self.scene, direction, hit)
+    }
+
+    /// True where nothing blocks the way from `from` to a light.
+    pub fn unblocked(&self, from: Vec3, arrival: &Arrival) -> bool {
+        let ray = match arrival.end {
+            Some(end) => Ray::between(from, end),
+            None => Ray::new(from, arrival.wi),
+        };
+        !self.tracer.occluded(&ray)
+    }
+
+    /// The emitter of the side of a surface that is looked at.
+    pub fn emitter_of(&self, surface: &Surface<'_>) -> Option<u32> {
+        self.sides.get(&(surface.instance, surface.material)).and_then(|s| s[usize::from(!surface.front)])
+    }
+
+    /// Density, in solid angle from `x`, with which next-event estimation finds the emitting side of a surface.
+    pub fn pdf_toward(&self, surface: &Surface<'_>, x: Vec3) -> f32 {
+        let Some(k) = self.emitter_of(surface) else { return 0.0 };
+        let distance = (surface.position - x).length();
+        let cosine = surface.normal.dot(surface.wo).abs();
+        self.shares[k as usize] * self.emitters[k as usize].pdf(x, distance, cosine)
+    }
+
+    /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
+    pub fn glows(&self, origin: Vec3, direction: Vec3, t_max: f32, mut see: impl FnMut(Glow)) {
+        for &k in &self.lamps {
+            let e = &self.emitters[k as usize];
+            if let Some((distance, radiance, cosine)) = e.met_by(origin, direction, t_max) {
+                let pdf = self.shares[k as usize] * e.pdf(origin, distance, cosine);
+                see(Glow { radiance, pdf, distance, cosine, emitter: k });
+            }
+        }
+        if let (Some(k), true) = (self.environment, t_max == f32::INFINITY) {
+            let pdf = self.shares[k as usize] * self.emitters[k as usize].pdf(origin, t_max, 1.0);
+            let radiance = self.scene.environment;
+            see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0, emitter: k });
+        }
+    }
+
+    /// Chooses an emitter by its share; `u` comes back uniform for further use.
+    pub fn choose_emitter(&self, u: f32) -> Option<(u32, f32)> {
+        let k = self.cumulative.partition_point(|c| *c <= u);
+        (k < self.emitters.len()).then(|| (k as u32, self.shares[k]))
+    }
+
+    fn measure_surfaces(&mut self) {
+        let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        let (mut area, mut reflected) = (0.0_f64, 0.0_f64);
+        for (instance, triangle, [a, b, c]) in triangles(&self.scene) {
+            let a2 = f64::from((b - a).cross(c - a).length());
+            if !a2.is_finite() {
+                continue;
+            }
+            for p in [a, b, c] {
+                (lo, hi) = (lo.min(p), hi.max(p));
+            }
+            let mesh = &self.scene.meshes[self.scene.instances[instance].mesh as usize];
+            let bsdf = &self.scene.materials[mesh.materials[triangle] as usize].bsdf;
+            let rho = bsdf.albedo(Class::Sharp, Vec3::Z) + bsdf.albedo(Class::Dull, Vec3::Z);
+            area += 0.5 * a2;
+            reflected += 0.5 * a2 * f64::from(rho.luminance().clamp(0.0, 1.0));
+        }
+        for light in &self.scene.lights {
+            if let Some((p, r)) = light.extent() {
+                (lo, hi) = (lo.min(p - r), hi.max(p + r));
+            }
+        }
+        if lo.x <= hi.x {
+            // A little more than the box's sphere: distant light starts outside everything.
+            self.bounds = Bounds { center: (lo + hi) * 0.5, radius: 0.5 * (hi - lo).length() * 1.001 };
+        }
+        self.area = area as f32;
+        self.mean_reflectance = if area > 0.0 { (reflected / area) as f32 } else { 0.0 };
+    }
+
+    fn gather_emissive_sides(&mut self) {
+        // Grouped in order of first appearance: emitters are numbered by the scene alone.
+        let mut order: Vec<(u32, u32)> = Vec::new();
+        let mut groups: HashMap<(u32, u32), Vec<GlowingTriangle>> = HashMap::new();
+        for (instance, triangle, vertices) in triangles(&self.scene) {
+            let mesh = &self.scene.meshes[self.scene.instances[instance].mesh as usize];
+            let material = mesh.materials[triangle];
+            if self.scene.materials[material as usize].emission.is_black() {
+                continue;
+            }
+            let [a, b, c] = vertices;
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            if normal == Vec3::ZERO {
+                continue;
+            }
+            let mirrored = self.scene.instances[instance].transform.matrix3.determinant() < 0.0;
+            let normal = if mirrored { -normal } else { normal };
+            let key = (instance as u32, material);
+            groups
+                .entry(key)
+                .or_insert_with(|| {
+                    order.push(key);
+                    Vec::new()
+                })
+                .push(GlowingTriangle { vertices, normal });
+        }
+        for key in order {
+            let material = &self.scene.materials[key.1 as usize];
+            let front = groups.remove(&key).unwrap_or_default();
+            let both = material.sides == Sides::Both;
+            let back = front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
+            let mut number = |side: Option<EmissiveSide>| {
+                side.map(|side| {
+                    self.emitters.push(Emitter::Side(side));
+                    self.emitters.len() as u32 - 1
+                })
+            };
+            let numbers = [
+                number(EmissiveSide::new(material.emission, front)),
+                number(EmissiveSide::new(material.emission, back)),
+            ];
+            self.sides.insert(key, numbers);
+        }
+    }
+
+    /// Shares by power; the two sides of one surface split theirs by what a pilot finds before each of them.
+    fn share_out(&mut self) {
+        let mut weights: Vec<f64> =
+            self.emitters.iter().map(|e| f64::from(e.power(self.bounds).luminance().max(0.0))).collect();
+        for sides in self.sides.values() {
+            if let [Some(front), Some(back)] = *sides {
+                let (f, b) = (self.openness(front), self.openness(back));
+                let both = weights[front as usize] + weights[back as usize];
+                let front_part = f64::from((f / (f + b).max(f32::MIN_POSITIVE)).clamp(LEAST_SIDE, 1.0 - LEAST_SIDE));
+                weights[front as usize] = both * front_part;
+                weights[back as usize] = both * (1.0 - front_part);
+            }
+        }
+        let total: f64 = weights.iter().sum();
+        let mut running = 0.0;
+        for w in weights {
+            running += w;
+            self.shares.push(if total > 0.0 { (w / total) as f32 } else { 0.0 });
+            self.cumulative.push(if total > 0.0 { (running / total) as f32 } else { 0.0 });
+        }
+    }
+
+    /// How freely an emitter's light spreads, 0 to 1: the mean free path of a few particles against the scene's size.
+    fn openness(&self, emitter: u32) -> f32 {
+        const PILOTS: u32 = 64;
+        let reach = 0.1 * self.area.sqrt();
+        let free = |i: u32| {
+            let u = [0, 1, 2, 3].map(|d| sequence::halton(i + 1, d));
+            let start = self.emitters[emitter as usize].emit(u, self.bounds);
+            let t = self.tracer.closest(&Ray::new(start.origin, start.direction)).map_or(f32::INFINITY, |h| h.t);
+            (t / reach).min(1.0)
+        };
+        (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
+    }
+}
+
+/// Every triangle of the scene in world space: (instance, triangle, vertices).
+fn triangles(scene: &Scene) -> impl Iterator<Item = (usize, usize, [Vec3; 3])> {
+    scene.instances.iter().enumerate().flat_map(move |(i, instance)| {
+        let mesh = &scene.meshes[instance.mesh as usize];
+        mesh.triangles.iter().enumerate().map(move |(k, t)| {
+            (i, k, t.map(|v| instance.transform.transform_point3(mesh.positions[v as usize])))
+        })
+    })
+}
