@@ -1,8 +1,16 @@
 //! Rays, triangles and the hierarchy that finds where they meet.
 //! Positions are in metres in world space unless a name says otherwise; nothing here knows of light.
 
+mod bvh;
 pub mod frame;
+mod offset;
+mod packet;
 pub mod ray;
+mod tracer;
 
+pub use bvh::Kernel;
 pub use frame::Frame;
+pub use offset::SurfacePoint;
+pub use packet::{Hits16, LANES};
 pub use ray::{Hit, Ray};
+pub use tracer::{MeshGeometry, Placement, Report, Tracer};

@@ -1,0 +1,267 @@
+//! A bounding volume hierarchy eight children wide over blocks of eight triangles, and the kernels that walk it.
+//! Built by binned SAH [Wald 2007], walked as in Wald et al. 2014 (Embree): eight boxes or eight triangles at once,
+//! or sixteen rays of one origin. Which kernel walks is a matter of speed only: all give the same bits.
+
+mod build;
+mod portable;
+mod slab;
+mod triangle;
+
+pub(super) use build::{Bounds, build};
+pub(super) use slab::Slab;
+pub(super) use triangle::{Plane, Shear};
+
+use glam::{Affine3A, Vec3};
+use triangle::{Crossing, crossing, pierced};
+
+/// Children of a node and triangles of a block.
+pub(super) const WIDTH: usize = 8;
+
+/// Entries that a walk may have to put off: seven a level, and the builder bounds the levels.
+const STACK: usize = (WIDTH - 1) * build::MAX_DEPTH + 1;
+
+/// An unused child.
+const NONE: u32 = u32::MAX;
+/// Set in a child that is a leaf: the other bits are its number.
+const LEAF: u32 = 1 << 31;
+
+/// Boxes and numbers of up to eight children.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Node {
+    /// Lower x, y, z, then upper x, y, z; an unused child is an inside-out box.
+    bounds: [[f32; WIDTH]; 6],
+    child: [u32; WIDTH],
+}
+
+/// The hierarchy alone: what its leaves hold is the business of whoever built it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Hierarchy {
+    nodes: Vec<Node>,
+    bounds: Bounds,
+}
+
+/// Eight triangles, corner by corner and axis by axis. Unfilled places hold NaN, which nothing hits.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Block {
+    /// `corners[3 * corner + axis]`
+    corners: [[f32; WIDTH]; 9],
+    instance: [u32; WIDTH],
+    triangle: [u32; WIDTH],
+    /// Bit set: rays that meet the back pass through.
+    culled: u8,
+    /// Bit set: the transform mirrors, the front is seen clockwise.
+    mirrored: u8,
+}
+
+/// One triangle on its way into a tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Primitive {
+    pub(super) corners: [Vec3; 3],
+    pub(super) instance: u32,
+    pub(super) triangle: u32,
+    pub(super) culled: bool,
+    pub(super) mirrored: bool,
+}
+
+/// A hierarchy over triangles.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tree {
+    hierarchy: Hierarchy,
+    blocks: Vec<Block>,
+}
+
+/// The place of an instance whose mesh is shared: its triangles are moved into the world as they are met, by the
+/// operations that move the triangles of an unshared mesh beforehand; so sharing changes no bit of a hit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    pub(super) instance: u32,
+    pub(super) transform: Affine3A,
+    pub(super) mirrored: bool,
+}
+
+/// A ray made ready for boxes and triangles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Prepared {
+    pub(super) origin: Vec3,
+    pub(super) direction: Vec3,
+    pub(super) shear: Shear,
+    /// Against the boxes of the tree, in the space of the tree.
+    pub(super) slab: Slab,
+}
+
+/// The best hit so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Best {
+    pub(super) t: f32,
+    pub(super) u: f32,
+    pub(super) v: f32,
+    pub(super) instance: u32,
+    pub(super) triangle: u32,
+    pub(super) found: bool,
+}
+
+impl Best {
+    pub(super) fn none(t_max: f32) -> Best {
+        Best { t: t_max, u: 0.0, v: 0.0, instance: 0, triangle: 0, found: false }
+    }
+
+    /// Equal distances are decided by number, so that the tree cannot show.
+    fn offer(&mut self, c: Crossing, instance: u32, triangle: u32) {
+        let wins = c.t < self.t
+            || (c.t == self.t && self.found && (instance, triangle) < (self.instance, self.triangle));
+        if wins {
+            *self = Best { t: c.t, u: c.u, v: c.v, instance, triangle, found: true };
+        }
+    }
+}
+
+/// What a ray asks of the triangles.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum End {
+    /// Is anything nearer than this?
+    Distance(f32),
+    /// Is anything between the origin and this point?
+    Point(Vec3),
+}
+
+/// Which code walks the tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    /// Plain Rust, the oracle of the others.
+    Portable,
+}
+
+impl Kernel {
+    /// The fastest that this machine has.
+    pub fn detect() -> Kernel {
+        Kernel::Portable
+    }
+
+    /// Does this machine have it?
+    pub fn available(self) -> bool {
+        match self {
+            Kernel::Portable => true,
+        }
+    }
+}
+
+impl Tree {
+    pub(super) fn new(primitives: &[Primitive]) -> Tree {
+        let bounds: Vec<Bounds> = primitives.iter().map(|p| Bounds::of(&p.corners)).collect();
+        let (hierarchy, leaves) = build(&bounds, WIDTH);
+        let blocks =
+            leaves.iter().map(|leaf| Block::new(leaf.iter().map(|&i| &primitives[i as usize]))).collect();
+        Tree { hierarchy, blocks }
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        self.hierarchy.bounds
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
+    pub(super) fn memory(&self) -> usize {
+        self.hierarchy.memory() + size_of_val(&self.blocks[..])
+    }
+
+    pub(super) fn closest(&self, kernel: Kernel, ray: &Prepared, placed: Option<&Placed>, best: &mut Best) {
+        match kernel {
+            Kernel::Portable => portable::closest(self, ray, placed, best),
+        }
+    }
+
+    pub(super) fn occluded(&self, kernel: Kernel, ray: &Prepared, end: End, placed: Option<&Placed>) -> bool {
+        match kernel {
+            Kernel::Portable => portable::occluded(self, ray, end, placed),
+        }
+    }
+}
+
+impl Hierarchy {
+    pub(super) fn memory(&self) -> usize {
+        size_of_val(&self.nodes[..])
+    }
+
+    /// Leaves whose boxes the ray meets before the distance that `visit` returns last.
+    pub(super) fn walk(&self, slab: &Slab, t_max: f32, visit: impl FnMut(u32) -> f32) {
+        portable::walk(self, slab, t_max, visit);
+    }
+}
+
+impl Block {
+    fn new<'a>(primitives: impl Iterator<Item = &'a Primitive>) -> Block {
+        let mut block = Block {
+            corners: [[f32::NAN; WIDTH]; 9],
+            instance: [0; WIDTH],
+            triangle: [0; WIDTH],
+            culled: 0,
+            mirrored: 0,
+        };
+        for (i, p) in primitives.enumerate() {
+            for (corner, position) in p.corners.iter().enumerate() {
+                for axis in 0..3 {
+                    block.corners[3 * corner + axis][i] = position[axis];
+                }
+            }
+            block.instance[i] = p.instance;
+            block.triangle[i] = p.triangle;
+            block.culled |= u8::from(p.culled) << i;
+            block.mirrored |= u8::from(p.mirrored) << i;
+        }
+        block
+    }
+
+    fn corners(&self, i: usize) -> [Vec3; 3] {
+        [0, 1, 2].map(|c| {
+            Vec3::new(self.corners[3 * c][i], self.corners[3 * c + 1][i], self.corners[3 * c + 2][i])
+        })
+    }
+
+    /// Does triangle `i` let a ray pass that meets its front (`front`) or back, as seen without mirrors?
+    fn passes(&self, i: usize, counter_clockwise: bool) -> bool {
+        let front = counter_clockwise != (self.mirrored >> i & 1 == 1);
+        !front && self.culled >> i & 1 == 1
+    }
+
+    /// The block moved into the world, in the order of operations of [`Affine3A::transform_point3`].
+    #[inline]
+    fn placed(&self, place: &Placed) -> Block {
+        let mut moved = self.clone();
+        let m = place.transform.matrix3;
+        for corner in 0..3 {
+            for axis in 0..3 {
+                let (mx, my, mz) = (m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]);
+                for i in 0..WIDTH {
+                    moved.corners[3 * corner + axis][i] = mx * self.corners[3 * corner][i]
+                        + my * self.corners[3 * corner + 1][i]
+                        + mz * self.corners[3 * corner + 2][i]
+                        + place.transform.translation[axis];
+                }
+            }
+        }
+        moved.instance = [place.instance; WIDTH];
+        moved.mirrored = if place.mirrored { u8::MAX } else { 0 };
+        moved
+    }
+
+    fn offer(&self, i: usize, ray: &Prepared, best: &mut Best) {
+        if let Some((c, front)) = crossing(&self.corners(i), ray.origin, ray.direction, &ray.shear)
+            && !self.passes(i, front)
+        {
+            best.offer(c, self.instance[i], self.triangle[i]);
+        }
+    }
+
+    fn blocks(&self, i: usize, ray: &Prepared, end: End) -> bool {
+        match end {
+            End::Distance(t_max) => crossing(&self.corners(i), ray.origin, ray.direction, &ray.shear)
+                .is_some_and(|(c, front)| c.t < t_max && !self.passes(i, front)),
+            End::Point(target) => pierced(&self.corners(i), ray.origin, target, &ray.shear)
+                .is_some_and(|front| !self.passes(i, front)),
+        }
+    }
+}

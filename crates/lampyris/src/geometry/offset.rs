@@ -1,0 +1,44 @@
+//! Where rays leave a surface: far enough from it that no rounding puts them behind it again, and no farther.
+//! [Pharr, Jakob & Humphreys 2016, §3.9.4–5], whose bound is doubled so that it also covers the rounded corners of
+//! coplanar neighbours. It knows of triangles only, not of curved surfaces that they may stand for.
+
+use glam::Vec3;
+
+/// More than twice γ(7), the relative error of a point made of weighted corners.
+const ERROR: f32 = 16.0 * f32::EPSILON / 2.0;
+
+/// A point of a triangle, and how far along the normal rays must start from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The point [m, world], off the plane of the triangle by its rounding error.
+    pub position: Vec3,
+    /// Bound of the rounding error, axis by axis.
+    pub error: Vec3,
+}
+
+impl SurfacePoint {
+    /// The point with weight `u` of the second and `v` of the third corner.
+    pub fn new(corners: &[Vec3; 3], u: f32, v: f32) -> SurfacePoint {
+        let [a, b, c] = [corners[0] * (1.0 - u - v), corners[1] * u, corners[2] * v];
+        SurfacePoint { position: a + b + c, error: (a.abs() + b.abs() + c.abs()) * ERROR }
+    }
+
+    /// Start of rays that leave on the side to which the unit geometric `normal` points: segments between such points
+    /// never touch the triangles they start and end on.
+    pub fn spawn(&self, normal: Vec3) -> Vec3 {
+        let shift = normal * self.error.dot(normal.abs());
+        // Rounded away from the surface.
+        let away = |p: f32, shift: f32| {
+            let moved = p + shift;
+            if shift > 0.0 {
+                moved.next_up()
+            } else if shift < 0.0 {
+                moved.next_down()
+            } else {
+                moved
+            }
+        };
+        let p = self.position;
+        Vec3::new(away(p.x, shift.x), away(p.y, shift.y), away(p.z, shift.z))
+    }
+}

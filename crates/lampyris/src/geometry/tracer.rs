@@ -1,0 +1,309 @@
+//! The scene made traceable: what a ray meets first, and whether two points see each other. Meshes used once lie in
+//! one tree in world space; meshes used more often keep a tree each, below a tree over their instances. It knows
+//! neither materials nor light, and a change of the scene builds it anew.
+
+use super::bvh::{
+    Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Prepared, Primitive, Shear, Slab, Tree, build,
+};
+use super::{Hit, Ray};
+use glam::{Affine3A, Vec3};
+use rayon::prelude::*;
+
+/// Triangles of a mesh, in its own space.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshGeometry<'a> {
+    /// Positions of the vertices.
+    pub positions: &'a [Vec3],
+    /// Vertices of each triangle, counter-clockwise seen from the front.
+    pub triangles: &'a [[u32; 3]],
+    /// Triangles whose back lets rays pass (one-sided surfaces); none where it is empty.
+    pub one_sided: &'a [bool],
+}
+
+/// A mesh in its place.
+#[derive(Clone, Copy, Debug)]
+pub struct Placement {
+    /// Which mesh.
+    pub mesh: u32,
+    /// Mesh space → world.
+    pub transform: Affine3A,
+}
+
+/// Triangles that rays can be traced through.
+#[derive(Clone, Debug)]
+pub struct Tracer {
+    kernel: Kernel,
+    flat: Tree,
+    shared: Vec<Shared>,
+    top: Hierarchy,
+    placed: Vec<Instance>,
+    bounds: Bounds,
+    report: Report,
+}
+
+/// What was built and what was left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// Triangles that can be hit, counted once for every instance.
+    pub triangles: u64,
+    /// Triangles without area, with corners that are not finite, too far out (|x| > 1.8e18) or that do not exist.
+    pub dropped_triangles: u64,
+    /// Instances whose transform is singular or not finite, or whose mesh does not exist.
+    pub dropped_instances: u64,
+}
+
+/// Tree of a mesh that several instances share, in its own space.
+#[derive(Clone, Debug)]
+struct Shared {
+    tree: Tree,
+    triangles: u64,
+}
+
+#[derive(Clone, Debug)]
+struct Instance {
+    place: Placed,
+    tree: u32,
+    inverse: Affine3A,
+    /// Bounds what rays lack in precision in mesh space: a part of the distance of their origin, and a constant.
+    error: [f32; 2],
+}
+
+/// Beyond this, products of coordinates leave f32.
+const FARTHEST: f32 = 1.8e18;
+
+impl Tracer {
+    /// Builds the trees, in parallel, the same for any number of threads.
+    pub fn build(meshes: &[MeshGeometry<'_>], instances: &[Placement]) -> Tracer {
+        let mut uses = vec![0u32; meshes.len()];
+        let mut report = Report::default();
+        let usable: Vec<(u32, &Placement)> =
+            (0..).zip(instances).filter(|(_, i)| usable(i, meshes)).collect();
+        report.dropped_instances = (instances.len() - usable.len()) as u64;
+        for (_, instance) in &usable {
+            uses[instance.mesh as usize] += 1;
+        }
+
+        let mut flat = Vec::new();
+        for (number, placement) in usable.iter().filter(|(_, i)| uses[i.mesh as usize] == 1) {
+            let mesh = &meshes[placement.mesh as usize];
+            flat.extend(primitives(mesh, *number, &placement.transform));
+            report.dropped_triangles += mesh.triangles.len() as u64;
+        }
+        report.triangles = flat.len() as u64;
+        report.dropped_triangles -= report.triangles;
+        let flat = Tree::new(&flat);
+
+        let mut trees = vec![u32::MAX; meshes.len()];
+        let mut several = Vec::new();
+        for (mesh, _) in uses.iter().enumerate().filter(|(_, uses)| **uses > 1) {
+            trees[mesh] = several.len() as u32;
+            several.push(&meshes[mesh]);
+        }
+        let shared: Vec<Shared> = several
+            .into_par_iter()
+            .map(|mesh| {
+                let primitives: Vec<Primitive> = primitives(mesh, 0, &Affine3A::IDENTITY).collect();
+                Shared { tree: Tree::new(&primitives), triangles: primitives.len() as u64 }
+            })
+            .collect();
+
+        let mut placed = Vec::new();
+        let mut boxes = Vec::new();
+        for (number, placement) in usable.iter().filter(|(_, i)| uses[i.mesh as usize] > 1) {
+            let tree = trees[placement.mesh as usize];
+            let of = &shared[tree as usize];
+            report.triangles += of.triangles;
+            report.dropped_triangles += meshes[placement.mesh as usize].triangles.len() as u64 - of.triangles;
+            if !of.tree.is_empty() {
+                let (instance, bounds) =
+                    Instance::new(*number, tree, &of.tree.bounds(), &placement.transform);
+                placed.push(instance);
+                boxes.push(bounds);
+            }
+        }
+        let (top, leaves) = build(&boxes, 1);
+        // Leaves of the top hierarchy hold one instance each: keep the instances in their order.
+        let placed = leaves.iter().map(|leaf| placed[leaf[0] as usize].clone()).collect();
+        let bounds = boxes.iter().fold(flat.bounds(), |a, b| a.union(b));
+        Tracer { kernel: Kernel::detect(), flat, shared, top, placed, bounds, report }
+    }
+
+    /// The nearest hit with 0 < t < `t_max`; of equally near ones that of the smallest instance, then triangle. Rays
+    /// that are not finite miss.
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        if !sound(ray) {
+            return None;
+        }
+        let mut best = Best::none(ray.t_max);
+        let prepared = self.prepare(ray);
+        self.flat.closest(self.kernel, &prepared, None, &mut best);
+        if !self.placed.is_empty() {
+            let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
+            self.top.walk(&slab, best.t, |leaf| {
+                let instance = &self.placed[leaf as usize];
+                let tree = &self.shared[instance.tree as usize].tree;
+                tree.closest(
+                    self.kernel,
+                    &instance.prepare(&prepared, tree),
+                    Some(&instance.place),
+                    &mut best,
+                );
+                best.t
+            });
+        }
+        best.found.then_some(Hit {
+            t: best.t,
+            u: best.u,
+            v: best.v,
+            instance: best.instance,
+            triangle: best.triangle,
+        })
+    }
+
+    /// Is there any hit with 0 < t < `t_max`?
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        sound(ray) && self.stops(ray, End::Distance(ray.t_max))
+    }
+
+    /// Is the open segment between two points blocked? Unlike a ray's `t_max`, both ends are exact: points just off a
+    /// surface ([`super::SurfacePoint::spawn`]) are never blocked by it, and contact is seen however close.
+    pub fn blocked(&self, from: Vec3, to: Vec3) -> bool {
+        let ray = Ray::between(from, to);
+        sound(&ray) && self.stops(&ray, End::Point(to))
+    }
+
+    fn stops(&self, ray: &Ray, end: End) -> bool {
+        let prepared = self.prepare(ray);
+        let mut hit = self.flat.occluded(self.kernel, &prepared, end, None);
+        if !hit && !self.placed.is_empty() {
+            let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
+            self.top.walk(&slab, ray.t_max, |leaf| {
+                let instance = &self.placed[leaf as usize];
+                let tree = &self.shared[instance.tree as usize].tree;
+                hit = tree.occluded(
+                    self.kernel,
+                    &instance.prepare(&prepared, tree),
+                    end,
+                    Some(&instance.place),
+                );
+                if hit { f32::NEG_INFINITY } else { ray.t_max }
+            });
+        }
+        hit
+    }
+
+    /// The box around everything, `None` if there is nothing.
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        (!self.bounds.is_empty()).then_some((self.bounds.lower, self.bounds.upper))
+    }
+
+    /// What was built and what was left out.
+    pub fn report(&self) -> Report {
+        self.report
+    }
+
+    /// Bytes held by the trees.
+    pub fn memory(&self) -> usize {
+        let shared: usize = self.shared.iter().map(|s| s.tree.memory()).sum();
+        self.flat.memory() + shared + self.top.memory() + size_of_val(&self.placed[..])
+    }
+
+    /// The kernel in use.
+    pub fn kernel(&self) -> Kernel {
+        self.kernel
+    }
+
+    /// The same tracer with another kernel; `None` if this machine lacks it. Hits do not depend on it.
+    pub fn with_kernel(mut self, kernel: Kernel) -> Option<Tracer> {
+        self.kernel = kernel;
+        kernel.available().then_some(self)
+    }
+
+    fn prepare(&self, ray: &Ray) -> Prepared {
+        Prepared {
+            origin: ray.origin,
+            direction: ray.direction,
+            shear: Shear::new(ray.direction),
+            slab: Slab::new(ray.origin, ray.direction, &self.flat.bounds(), 0.0),
+        }
+    }
+}
+
+impl Instance {
+    fn new(number: u32, tree: u32, mesh: &Bounds, transform: &Affine3A) -> (Instance, Bounds) {
+        let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { mesh.lower[axis] } else { mesh.upper[axis] };
+            transform.transform_point3(Vec3::new(pick(0), pick(1), pick(2)))
+        });
+        let inverse = transform.inverse();
+        // Rounding of a transformed vertex: 4 operations on terms no larger than this.
+        let m = transform.matrix3;
+        let farthest = mesh.lower.abs().max(mesh.upper.abs());
+        let terms = m.x_axis.abs() * farthest.x + m.y_axis.abs() * farthest.y + m.z_axis.abs() * farthest.z;
+        let size = Vec3::from(terms + transform.translation.abs());
+        let bounds = Bounds::of(&corners);
+        let margin = Vec3::splat(size.max_element() * 8.0 * f32::EPSILON);
+        let bounds = Bounds { lower: bounds.lower - margin, upper: bounds.upper + margin };
+        // In mesh space: the same carried back, the rounding of the inverse, of the origin and of the direction over
+        // the way it goes. Conditioned by ‖M⁻¹‖, which multiplies all of it.
+        let i = inverse.matrix3;
+        let norm = (i.x_axis.abs() + i.y_axis.abs() + i.z_axis.abs()).max_element();
+        let condition = norm * (m.x_axis.abs() + m.y_axis.abs() + m.z_axis.abs()).max_element();
+        let share = 16.0 * f32::EPSILON * norm * condition.max(1.0);
+        let place = Placed {
+            instance: number,
+            transform: *transform,
+            mirrored: transform.matrix3.determinant() < 0.0,
+        };
+        (Instance { place, tree, inverse, error: [share, share * size.max_element()] }, bounds)
+    }
+
+    /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
+    fn prepare(&self, ray: &Prepared, tree: &Tree) -> Prepared {
+        let origin = self.inverse.transform_point3(ray.origin);
+        let direction = self.inverse.transform_vector3(ray.direction);
+        let error = self.error[0] * ray.origin.abs().max_element() + self.error[1];
+        Prepared { slab: Slab::new(origin, direction, &tree.bounds(), error), ..*ray }
+    }
+}
+
+fn sound(ray: &Ray) -> bool {
+    let length = ray.direction.abs().max_element();
+    ray.origin.is_finite()
+        && ray.direction.is_finite()
+        && ray.origin.abs().max_element() <= FARTHEST
+        && length >= f32::MIN_POSITIVE
+        && !ray.t_max.is_nan()
+}
+
+fn usable(instance: &Placement, meshes: &[MeshGeometry<'_>]) -> bool {
+    let determinant = instance.transform.matrix3.determinant();
+    let inverse = instance.transform.inverse();
+    (instance.mesh as usize) < meshes.len()
+        && instance.transform.is_finite()
+        && determinant != 0.0
+        && determinant.is_finite()
+        && inverse.is_finite()
+}
+
+/// The triangles of a mesh that can be hit, moved by `transform`.
+fn primitives(
+    mesh: &MeshGeometry<'_>,
+    instance: u32,
+    transform: &Affine3A,
+) -> impl Iterator<Item = Primitive> {
+    let mirrored = transform.matrix3.determinant() < 0.0;
+    mesh.triangles.iter().enumerate().filter_map(move |(number, vertices)| {
+        let position = |v: u32| mesh.positions.get(v as usize).map(|p| transform.transform_point3(*p));
+        let corners = [position(vertices[0])?, position(vertices[1])?, position(vertices[2])?];
+        let near = corners.iter().all(|c| c.abs().max_element() <= FARTHEST && c.is_finite());
+        let culled = mesh.one_sided.get(number).copied().unwrap_or(false);
+        (near && Plane::new(&corners, corners[0]).normal != [0.0; 3]).then_some(Primitive {
+            corners,
+            instance,
+            triangle: number as u32,
+            culled,
+            mirrored,
+        })
+    })
+}
