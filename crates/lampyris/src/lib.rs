@@ -6,6 +6,8 @@ pub mod geometry;
 pub mod import;
 pub mod light;
 pub mod material;
+#[cfg(feature = "pictures")]
+pub mod output;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;
