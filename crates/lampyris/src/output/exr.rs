@@ -95,7 +95,7 @@ mod tests {
         picture
     }
 
-    fn round_trip(picture: &Picture) -> Image<exr::image::Layers<AnyChannels<FlatSamples>>> {
+    fn round_trip(picture: &Picture) -> Image<Layers<AnyChannels<FlatSamples>>> {
         let bytes = encode(picture, &Display::default()).unwrap();
         let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
         read.all_layers().all_attributes().from_buffered(Cursor::new(bytes)).unwrap()
