@@ -11,6 +11,8 @@ pub mod import;
 pub mod integrator;
 pub mod light;
 pub mod material;
+#[cfg(feature = "pictures")]
+pub mod output;
 pub mod particle;
 pub mod sampling;
 pub mod scene;

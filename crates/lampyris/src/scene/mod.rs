@@ -1,8 +1,11 @@
 //! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
 
 mod camera;
+mod upward;
+mod viewpoint;
 
 pub use camera::{Camera, View};
+pub use viewpoint::{Found, find_view};
 
 use crate::color::Rgb;
 use crate::light::Light;
