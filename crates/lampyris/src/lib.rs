@@ -9,6 +9,7 @@ pub mod material;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;
+pub mod testing;
 
 pub use color::Rgb;
 pub use error::{Error, Result};

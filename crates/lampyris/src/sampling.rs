@@ -10,6 +10,22 @@ pub fn cosine_hemisphere(u: [f32; 2]) -> Vec3 {
     Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt())
 }
 
+/// cosᵈ-distributed about +z, density [`cosine_power_pdf`] [sr⁻¹]: the beam of a spot light [Keller97, §4.2]. Exponent
+/// d ≥ 0; d = 1 is [`cosine_hemisphere`]. `Frame::to_world` turns it about another axis.
+pub fn cosine_power(u: [f32; 2], exponent: f32) -> Vec3 {
+    let [x, y] = concentric_disc(u);
+    // r² is uniform on [0, 1], and cos θ = (1 − r²)^(1/(d + 1)) inverts the distribution of the cosine.
+    let r2 = (x * x + y * y).min(1.0);
+    let z = libm::powf(1.0 - r2, 1.0 / (exponent + 1.0));
+    let stretch = if r2 > 0.0 { ((1.0 - z * z).max(0.0) / r2).sqrt() } else { 0.0 };
+    Vec3::new(x * stretch, y * stretch, z)
+}
+
+/// (d + 1)/2π · cosᵈ θ [sr⁻¹], none behind.
+pub fn cosine_power_pdf(cos: f32, exponent: f32) -> f32 {
+    if cos > 0.0 { (exponent + 1.0) / TAU * libm::powf(cos, exponent) } else { 0.0 }
+}
+
 /// Uniform on the unit sphere, density 1/4π [sr⁻¹].
 pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
     uniform_cone(u, -1.0)
