@@ -1,5 +1,6 @@
 //! Smooth glass: Fresnel reflection and Snell refraction at the interface of a solid body.
-//! Unpolarised light, exact Fresnel terms, total internal reflection; no absorption inside the body and no roughness.
+//! Exact Fresnel terms, total internal reflection; no absorption inside the body, no roughness, and no memory of
+//! polarisation: a pane at 60° passes 0.831 of the light where the two polarisations apart would pass 0.843.
 
 use super::{Class, Scatter, Transport};
 use crate::color::Rgb;
