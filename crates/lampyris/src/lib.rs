@@ -17,6 +17,7 @@ pub mod particle;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;
+pub mod testing;
 pub mod world;
 
 pub use color::Rgb;

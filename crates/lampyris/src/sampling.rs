@@ -10,6 +10,23 @@ pub fn cosine_hemisphere(u: [f32; 2]) -> Vec3 {
     Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt())
 }
 
+/// cosᵈ-distributed about +z, density [`cosine_power_pdf`] [sr⁻¹]: the beam of a spot light [Keller97, §4.2]. Exponent
+/// d ≥ 0; d = 1 is [`cosine_hemisphere`]. `Frame::to_world` turns it about another axis.
+pub fn cosine_power(u: [f32; 2], exponent: f32) -> Vec3 {
+    let [x, y] = concentric_disc(u);
+    // r² is uniform on [0, 1], and cos θ = (1 − r²)^(1/(d + 1)) inverts the distribution of the cosine.
+    let r2 = (x * x + y * y).min(1.0);
+    // Computed as 1 − cos θ, for the cosine of a narrow beam has no digits left.
+    let gap = -libm::expm1f(libm::log1pf(-r2) / (exponent + 1.0));
+    let stretch = if r2 > 0.0 { (gap * (2.0 - gap) / r2).sqrt() } else { 0.0 };
+    Vec3::new(x * stretch, y * stretch, 1.0 - gap)
+}
+
+/// (d + 1)/2π · cosᵈ θ [sr⁻¹], none behind.
+pub fn cosine_power_pdf(cos: f32, exponent: f32) -> f32 {
+    if cos > 0.0 { (exponent + 1.0) / TAU * libm::powf(cos, exponent) } else { 0.0 }
+}
+
 /// Uniform on the unit sphere, density 1/4π [sr⁻¹].
 pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
     uniform_cone(u, -1.0)
@@ -17,10 +34,10 @@ pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
 
 /// Uniform on the cap cos θ ≥ `cos_max` about +z, density 1/(2π(1 − cos_max)) [sr⁻¹].
 pub fn uniform_cone(u: [f32; 2], cos_max: f32) -> Vec3 {
-    let z = 1.0 - u[0] * (1.0 - cos_max);
-    let r = (1.0 - z * z).max(0.0).sqrt();
+    let gap = u[0] * (1.0 - cos_max);
+    let r = (gap * (2.0 - gap)).max(0.0).sqrt();
     let (sin, cos) = libm::sincosf(TAU * u[1]);
-    Vec3::new(r * cos, r * sin, z)
+    Vec3::new(r * cos, r * sin, 1.0 - gap)
 }
 
 /// Uniform on the unit disc (the concentric map of Shirley and Chiu).

@@ -139,7 +139,7 @@ impl World {
 
     /// True where nothing blocks the open segment.
     pub fn visible(&self, a: Vec3, b: Vec3) -> bool {
-        !self.tracer.occluded(&Ray::between(a, b))
+        !self.tracer.blocked(a, b)
     }
 
     /// The surface at a hit, seen along `direction` [any length].
@@ -149,11 +149,10 @@ impl World {
 
     /// True where nothing blocks the way from `from` to a light.
     pub fn unblocked(&self, from: Vec3, arrival: &Arrival) -> bool {
-        let ray = match arrival.end {
-            Some(end) => Ray::between(from, end),
-            None => Ray::new(from, arrival.wi),
-        };
-        !self.tracer.occluded(&ray)
+        !match arrival.end {
+            Some(end) => self.tracer.blocked(from, end),
+            None => self.tracer.occluded(&Ray::new(from, arrival.wi)),
+        }
     }
 
     /// The emitter of the side of a surface that is looked at.

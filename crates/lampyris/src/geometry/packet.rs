@@ -2,7 +2,7 @@
 //! that a tile sees. Sharing the origin is what makes a packet fast [Wald et al. 2002]; the answers are those of
 //! single rays, bit for bit.
 
-use super::{Ray, Tracer};
+use super::{Hit, Ray, Tracer};
 use glam::Vec3;
 
 /// Rays in a packet.
@@ -26,6 +26,17 @@ pub struct Hits16 {
 }
 
 impl Hits16 {
+    /// What lane `i` meets.
+    pub fn get(&self, i: usize) -> Option<Hit> {
+        (self.hit >> i & 1 == 1).then(|| Hit {
+            t: self.t[i],
+            u: self.u[i],
+            v: self.v[i],
+            instance: self.instance[i],
+            triangle: self.triangle[i],
+        })
+    }
+
     /// Nothing met.
     pub const NONE: Hits16 = Hits16 {
         hit: 0,

@@ -67,11 +67,11 @@ pub fn from_light(world: &World, x: &Surface<'_>, light: &Vpl<'_>, rays: &mut u6
     }
     *rays += 1;
     let from = x.spawn(wi);
-    let ray = match light.shine {
-        Shine::Distant => Ray::new(from, wi),
-        _ => Ray::between(light.position, from),
+    let blocked = match light.shine {
+        Shine::Distant => world.tracer().occluded(&Ray::new(from, wi)),
+        _ => world.tracer().blocked(light.position, from),
     };
-    if world.tracer().occluded(&ray) { Rgb::BLACK } else { value }
+    if blocked { Rgb::BLACK } else { value }
 }
 
 /// `from_light` over a list.

@@ -9,9 +9,9 @@ mod dielectric;
 mod diffuse;
 mod ward;
 
-pub use dielectric::Dielectric;
+pub use dielectric::{Dielectric, fresnel};
 pub use diffuse::Diffuse;
-pub use ward::Ward;
+pub use ward::{DELTA_ALPHA, Ward};
 
 use crate::color::Rgb;
 use glam::Vec3;
@@ -38,6 +38,15 @@ pub struct Scatter {
     pub weight: Rgb,
     /// Density of `wi` within the class [sr⁻¹]; infinite for a delta lobe, which no other technique can find.
     pub pdf: f32,
+}
+
+/// What a path carries, seen from the end where it started. It matters where light changes its medium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transport {
+    /// Eye paths carry radiance backwards: `wo` points to the eye, and refraction scales by (η_o/η_i)².
+    Radiance,
+    /// Particles carry flux: `wo` points to the light, and refraction scales nothing.
+    Flux,
 }
 
 /// A surface's named material.
@@ -87,12 +96,20 @@ impl Bsdf {
 
     /// Draws a direction from the lobes of `class`; `None` where they reflect nothing.
     ///
-    /// `u` places the direction, `choice` picks the lobe within the class; all in [0, 1).
-    pub fn sample(&self, class: Class, wo: Vec3, u: [f32; 2], choice: f32) -> Option<Scatter> {
+    /// `u` places the direction, `choice` picks the lobe within the class; all in [0, 1). Of all materials only
+    /// [`Dielectric`] asks for `transport`: the others are symmetric in `wo` and `wi`.
+    pub fn sample(
+        &self,
+        class: Class,
+        wo: Vec3,
+        u: [f32; 2],
+        choice: f32,
+        transport: Transport,
+    ) -> Option<Scatter> {
         match self {
             Bsdf::Diffuse(m) => m.sample(class, wo, u, choice),
             Bsdf::Ward(m) => m.sample(class, wo, u, choice),
-            Bsdf::Dielectric(m) => m.sample(class, wo, choice),
+            Bsdf::Dielectric(m) => m.sample(class, wo, choice, transport),
         }
     }
 
@@ -112,7 +129,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.albedo(class),
             Bsdf::Ward(m) => m.albedo(class, wo),
-            Bsdf::Dielectric(m) => m.albedo(class),
+            Bsdf::Dielectric(m) => m.albedo(class, wo),
         }
     }
 
