@@ -4,6 +4,8 @@
 
 mod build;
 mod portable;
+#[cfg(target_arch = "x86_64")]
+mod simd_avx2;
 mod slab;
 mod triangle;
 
@@ -131,18 +133,24 @@ pub(super) enum End {
 pub enum Kernel {
     /// Plain Rust, the oracle of the others.
     Portable,
+    /// Eight boxes or triangles at once.
+    Avx2,
 }
 
 impl Kernel {
     /// The fastest that this machine has.
     pub fn detect() -> Kernel {
-        Kernel::Portable
+        if Kernel::Avx2.available() { Kernel::Avx2 } else { Kernel::Portable }
     }
 
     /// Does this machine have it?
     pub fn available(self) -> bool {
         match self {
             Kernel::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => is_x86_feature_detected!("avx2"),
+            #[cfg(not(target_arch = "x86_64"))]
+            Kernel::Avx2 => false,
         }
     }
 }
@@ -170,13 +178,19 @@ impl Tree {
 
     pub(super) fn closest(&self, kernel: Kernel, ray: &Prepared, placed: Option<&Placed>, best: &mut Best) {
         match kernel {
-            Kernel::Portable => portable::closest(self, ray, placed, best),
+            // SAFETY: a tracer holds only kernels that the machine was found to have.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => unsafe { simd_avx2::closest(self, ray, placed, best) },
+            _ => portable::closest(self, ray, placed, best),
         }
     }
 
     pub(super) fn occluded(&self, kernel: Kernel, ray: &Prepared, end: End, placed: Option<&Placed>) -> bool {
         match kernel {
-            Kernel::Portable => portable::occluded(self, ray, end, placed),
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => unsafe { simd_avx2::occluded(self, ray, end, placed) },
+            _ => portable::occluded(self, ray, end, placed),
         }
     }
 }
