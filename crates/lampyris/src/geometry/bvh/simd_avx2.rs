@@ -4,7 +4,6 @@
 
 use super::triangle::{Crossing, Plane, TINY, in_front, separates};
 use super::{Best, Block, End, Hierarchy, LEAF, Placed, Prepared, STACK, Slab, Tree, WIDTH};
-use glam::Vec3;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 
@@ -146,11 +145,11 @@ impl Lanes {
     #[inline]
     #[target_feature(enable = "avx2")]
     fn new(ray: &Prepared) -> Lanes {
-        let s = &ray.shear;
+        let s = &ray.line.shear;
         let axes = [s.kx, s.ky, s.kz];
         Lanes {
             axes,
-            origin: axes.map(|a| _mm256_set1_ps(ray.origin[a])),
+            origin: axes.map(|a| _mm256_set1_ps(ray.line.origin[a])),
             sx: _mm256_set1_ps(s.sx),
             sy: _mm256_set1_ps(s.sy),
             sign: _mm256_set1_ps(if s.negative { -0.0 } else { 0.0 }),
@@ -208,24 +207,16 @@ fn test(block: &Block, lanes: &Lanes) -> Tested {
 fn offer(block: &Block, lanes: &Lanes, ray: &Prepared, best: &mut Best) {
     let tested = test(block, lanes);
     if tested.pierced != 0 {
-        let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), tested.det);
-        let b = tested.e.map(|e| _mm256_mul_ps(e, inverse));
-        let z = tested.z;
-        let along = _mm256_add_ps(
-            _mm256_add_ps(_mm256_mul_ps(b[0], z[0]), _mm256_mul_ps(b[1], z[1])),
-            _mm256_mul_ps(b[2], z[2]),
-        );
-        let t = _mm256_mul_ps(_mm256_set1_ps(ray.shear.sz), along);
-        let t = _mm256_max_ps(t, _mm256_set1_ps(f32::MIN_POSITIVE));
+        let (t, u, v) = distances(&tested, ray.line.shear.sz);
         let near = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(t, _mm256_set1_ps(best.t))) as u32;
         let candidates = tested.pierced & near;
         if candidates != 0 {
             let straddling = straddling(&tested);
             let positive = positive(&tested);
-            let (t, u, v) = (store(t), store(b[1]), store(b[2]));
+            let (t, u, v) = (store(t), store(u), store(v));
             for i in bits(candidates) {
-                let front = (positive >> i & 1 == 1) != ray.shear.negative;
-                let plane = || in_front(&Plane::new(&block.corners(i), ray.origin), ray.direction);
+                let front = (positive >> i & 1 == 1) != ray.line.shear.negative;
+                let plane = || in_front(&Plane::new(&block.corners(i), ray.line.origin), ray.line.direction);
                 if t[i] <= best.t && !block.passes(i, front) && (straddling >> i & 1 == 0 || plane()) {
                     let crossing = Crossing { t: t[i], u: u[i], v: v[i] };
                     best.offer(crossing, block.instance[i], block.triangle[i]);
@@ -234,8 +225,23 @@ fn offer(block: &Block, lanes: &Lanes, ray: &Prepared, best: &mut Best) {
         }
     }
     for i in bits(tested.unsure) {
-        block.offer(i, ray, best);
+        block.offer(i, &ray.line, best);
     }
+}
+
+/// t and the weights of the second and third corner.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn distances(tested: &Tested, sz: f32) -> (__m256, __m256, __m256) {
+    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), tested.det);
+    let b = tested.e.map(|e| _mm256_mul_ps(e, inverse));
+    let z = tested.z;
+    let along = _mm256_add_ps(
+        _mm256_add_ps(_mm256_mul_ps(b[0], z[0]), _mm256_mul_ps(b[1], z[1])),
+        _mm256_mul_ps(b[2], z[2]),
+    );
+    let t = _mm256_mul_ps(_mm256_set1_ps(sz), along);
+    (_mm256_max_ps(t, _mm256_set1_ps(f32::MIN_POSITIVE)), b[1], b[2])
 }
 
 #[inline]
@@ -245,27 +251,30 @@ fn blocks(block: &Block, lanes: &Lanes, ray: &Prepared, end: End) -> bool {
     if tested.pierced | tested.unsure == 0 {
         return false;
     }
-    match end {
-        End::Point(target) => pierced(block, &tested, ray, target),
-        End::Distance(_) => bits(tested.pierced | tested.unsure).any(|i| block.blocks(i, ray, end)),
-    }
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn pierced(block: &Block, tested: &Tested, ray: &Prepared, target: Vec3) -> bool {
-    let kz = ray.shear.kz;
-    let end = _mm256_set1_ps((target[kz] - ray.origin[kz]).abs());
-    let [least, most] = tested.z_range;
-    let reached = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(least, end)) as u32;
-    let before_end = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(most, end)) as u32;
-    let clear = before_end & !straddling(tested);
-    let positive = positive(tested);
-    bits(tested.pierced & reached).any(|i| {
-        let front = (positive >> i & 1 == 1) != ray.shear.negative;
-        !block.passes(i, front)
-            && (clear >> i & 1 == 1 || separates(&Plane::new(&block.corners(i), ray.origin), target))
-    }) || bits(tested.unsure).any(|i| block.blocks(i, ray, End::Point(target)))
+    let (candidates, clear) = match end {
+        End::Distance(t_max) => {
+            let (t, _, _) = distances(&tested, ray.line.shear.sz);
+            let near = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(t, _mm256_set1_ps(t_max))) as u32;
+            (tested.pierced & near, !straddling(&tested))
+        }
+        End::Point(target) => {
+            let kz = ray.line.shear.kz;
+            let end = _mm256_set1_ps((target[kz] - ray.line.origin[kz]).abs());
+            let before =
+                tested.z_range.map(|z| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(z, end)) as u32);
+            (tested.pierced & before[0], before[1] & !straddling(&tested))
+        }
+    };
+    let positive = positive(&tested);
+    bits(candidates).any(|i| {
+        let front = (positive >> i & 1 == 1) != ray.line.shear.negative;
+        let plane = || Plane::new(&block.corners(i), ray.line.origin);
+        let certain = || match end {
+            End::Distance(_) => in_front(&plane(), ray.line.direction),
+            End::Point(target) => separates(&plane(), target),
+        };
+        !block.passes(i, front) && (clear >> i & 1 == 1 || certain())
+    }) || bits(tested.unsure).any(|i| block.blocks(i, &ray.line, end))
 }
 
 /// Lanes with a corner not ahead of the origin.
