@@ -10,6 +10,8 @@ mod simd_avx2;
 #[cfg(target_arch = "x86_64")]
 mod simd_avx512;
 mod slab;
+#[cfg(test)]
+mod tests;
 mod triangle;
 
 pub(super) use build::{Bounds, build};
