@@ -2,8 +2,13 @@
 //! that a tile sees. Sharing the origin is what makes a packet fast [Wald et al. 2002]; the answers are those of
 //! single rays, bit for bit.
 
+use super::bvh::{Best, End, Packet, PacketBest};
+use super::tracer::sound;
 use super::{Hit, Ray, Tracer};
 use glam::Vec3;
+
+/// Fewer rays than this go one by one.
+const FEW: u32 = 3;
 
 /// Rays in a packet.
 pub const LANES: usize = 16;
@@ -36,45 +41,81 @@ impl Hits16 {
             triangle: self.triangle[i],
         })
     }
-
-    /// Nothing met.
-    pub const NONE: Hits16 = Hits16 {
-        hit: 0,
-        t: [0.0; LANES],
-        u: [0.0; LANES],
-        v: [0.0; LANES],
-        instance: [0; LANES],
-        triangle: [0; LANES],
-    };
 }
 
 impl Tracer {
     /// [`Tracer::closest`] for the lanes of `live`: half-lines from `origin` along `directions` (x, y, z of each).
     pub fn closest16(&self, origin: Vec3, directions: &[[f32; LANES]; 3], live: u16) -> Hits16 {
-        let mut hits = Hits16::NONE;
-        for i in lanes(live) {
-            if let Some(hit) = self.closest(&Ray::new(origin, lane(directions, i))) {
-                hits.hit |= 1 << i;
-                hits.t[i] = hit.t;
-                hits.u[i] = hit.u;
-                hits.v[i] = hit.v;
-                hits.instance[i] = hit.instance;
-                hits.triangle[i] = hit.triangle;
+        let ray = |i: usize| Ray::new(origin, lane(directions, i));
+        let live = lanes(live).filter(|&i| sound(&ray(i))).fold(0, |live, i| live | 1 << i);
+        let mut best = PacketBest::none();
+        Packet::split(origin, directions, live, &self.flat.bounds(), |packet| {
+            let group = packet.live;
+            let many = group.count_ones() >= FEW;
+            if !many || self.flat.closest16(self.kernel, packet, &mut best).is_none() {
+                for i in lanes(group) {
+                    let mut single = Best::none(f32::INFINITY);
+                    self.flat.closest(self.kernel, &self.prepare(&ray(i)), None, &mut single);
+                    best.set(i, &single);
+                }
+            }
+        });
+        if self.has_placed() {
+            for i in lanes(live) {
+                let mut single = best.lane(i);
+                self.closest_placed(&self.prepare(&ray(i)), &mut single);
+                best.set(i, &single);
             }
         }
-        hits
+        for i in lanes(!best.found) {
+            best.t[i] = 0.0;
+        }
+        let PacketBest { t, u, v, instance, triangle, found } = best;
+        Hits16 { hit: found, t, u, v, instance, triangle }
     }
 
     /// [`Tracer::blocked`] for the lanes of `live`: which of the open segments from `origin` to `targets` are blocked.
     /// Fast if the targets are near each other; for shadows that makes the light the origin.
     pub fn occluded16(&self, origin: Vec3, targets: &[[f32; LANES]; 3], live: u16) -> u16 {
-        lanes(live).filter(|&i| self.blocked(origin, lane(targets, i))).fold(0, |hit, i| hit | 1 << i)
+        let mut directions = *targets;
+        for (axis, directions) in directions.iter_mut().enumerate() {
+            for d in directions {
+                *d -= origin[axis];
+            }
+        }
+        let ray = |i: usize| Ray::between(origin, lane(targets, i));
+        let live = lanes(live).filter(|&i| sound(&ray(i))).fold(0, |live, i| live | 1 << i);
+        let mut blocked = 0;
+        Packet::split(origin, &directions, live, &self.flat.bounds(), |packet| {
+            let group = packet.live;
+            let many = group.count_ones() >= FEW;
+            let whole = if many { self.flat.occluded16(self.kernel, packet, targets) } else { None };
+            blocked |= whole.unwrap_or_else(|| {
+                let stops = |&i: &usize| {
+                    let end = End::Point(lane(targets, i));
+                    self.flat.occluded(self.kernel, &self.prepare(&ray(i)), end, None)
+                };
+                lanes(group).filter(stops).fold(0, |hit, i| hit | 1 << i)
+            });
+        });
+        if self.has_placed() {
+            for i in lanes(live & !blocked) {
+                let end = End::Point(lane(targets, i));
+                blocked |= u16::from(self.placed_stop(&self.prepare(&ray(i)), 1.0, end)) << i;
+            }
+        }
+        blocked
     }
 }
 
 /// Numbers of the bits set.
 pub(super) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |i| mask >> i & 1 == 1)
+    let mut rest = mask;
+    std::iter::from_fn(move || {
+        let i = rest.trailing_zeros() as usize;
+        rest &= rest.wrapping_sub(1);
+        (i < LANES).then_some(i)
+    })
 }
 
 /// One lane of a packet of vectors.

@@ -3,7 +3,7 @@
 //! neither materials nor light, and a change of the scene builds it anew.
 
 use super::bvh::{
-    Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Prepared, Primitive, Shear, Slab, Tree, build,
+    Best, Bounds, End, Hierarchy, Kernel, Line, Placed, Plane, Prepared, Primitive, Shear, Slab, Tree, build,
 };
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
@@ -32,8 +32,8 @@ pub struct Placement {
 /// Triangles that rays can be traced through.
 #[derive(Clone, Debug)]
 pub struct Tracer {
-    kernel: Kernel,
-    flat: Tree,
+    pub(super) kernel: Kernel,
+    pub(super) flat: Tree,
     shared: Vec<Shared>,
     top: Hierarchy,
     placed: Vec<Instance>,
@@ -137,27 +137,22 @@ impl Tracer {
         let mut best = Best::none(ray.t_max);
         let prepared = self.prepare(ray);
         self.flat.closest(self.kernel, &prepared, None, &mut best);
-        if !self.placed.is_empty() {
-            let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
-            self.top.walk(&slab, best.t, |leaf| {
-                let instance = &self.placed[leaf as usize];
-                let tree = &self.shared[instance.tree as usize].tree;
-                tree.closest(
-                    self.kernel,
-                    &instance.prepare(&prepared, tree),
-                    Some(&instance.place),
-                    &mut best,
-                );
-                best.t
-            });
+        self.closest_placed(&prepared, &mut best);
+        best.hit()
+    }
+
+    /// The part of [`Tracer::closest`] that meets shared meshes.
+    pub(super) fn closest_placed(&self, ray: &Prepared, best: &mut Best) {
+        if self.placed.is_empty() {
+            return;
         }
-        best.found.then_some(Hit {
-            t: best.t,
-            u: best.u,
-            v: best.v,
-            instance: best.instance,
-            triangle: best.triangle,
-        })
+        let slab = Slab::new(ray.line.origin, ray.line.direction, &self.bounds, 0.0);
+        self.top.walk(&slab, best.t, |leaf| {
+            let instance = &self.placed[leaf as usize];
+            let tree = &self.shared[instance.tree as usize].tree;
+            tree.closest(self.kernel, &instance.prepare(ray, tree), Some(&instance.place), best);
+            best.t
+        });
     }
 
     /// Is there any hit with 0 < t < `t_max`?
@@ -174,21 +169,22 @@ impl Tracer {
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
         let prepared = self.prepare(ray);
-        let mut hit = self.flat.occluded(self.kernel, &prepared, end, None);
-        if !hit && !self.placed.is_empty() {
-            let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
-            self.top.walk(&slab, ray.t_max, |leaf| {
-                let instance = &self.placed[leaf as usize];
-                let tree = &self.shared[instance.tree as usize].tree;
-                hit = tree.occluded(
-                    self.kernel,
-                    &instance.prepare(&prepared, tree),
-                    end,
-                    Some(&instance.place),
-                );
-                if hit { f32::NEG_INFINITY } else { ray.t_max }
-            });
+        self.flat.occluded(self.kernel, &prepared, end, None) || self.placed_stop(&prepared, ray.t_max, end)
+    }
+
+    /// Does a shared mesh block the ray?
+    pub(super) fn placed_stop(&self, ray: &Prepared, t_max: f32, end: End) -> bool {
+        if self.placed.is_empty() {
+            return false;
         }
+        let mut hit = false;
+        let slab = Slab::new(ray.line.origin, ray.line.direction, &self.bounds, 0.0);
+        self.top.walk(&slab, t_max, |leaf| {
+            let instance = &self.placed[leaf as usize];
+            let tree = &self.shared[instance.tree as usize].tree;
+            hit = tree.occluded(self.kernel, &instance.prepare(ray, tree), end, Some(&instance.place));
+            if hit { f32::NEG_INFINITY } else { t_max }
+        });
         hit
     }
 
@@ -208,6 +204,10 @@ impl Tracer {
         self.flat.memory() + shared + self.top.memory() + size_of_val(&self.placed[..])
     }
 
+    pub(super) fn has_placed(&self) -> bool {
+        !self.placed.is_empty()
+    }
+
     /// The kernel in use.
     pub fn kernel(&self) -> Kernel {
         self.kernel
@@ -219,11 +219,9 @@ impl Tracer {
         kernel.available().then_some(self)
     }
 
-    fn prepare(&self, ray: &Ray) -> Prepared {
+    pub(super) fn prepare(&self, ray: &Ray) -> Prepared {
         Prepared {
-            origin: ray.origin,
-            direction: ray.direction,
-            shear: Shear::new(ray.direction),
+            line: Line { origin: ray.origin, direction: ray.direction, shear: Shear::new(ray.direction) },
             slab: Slab::new(ray.origin, ray.direction, &self.flat.bounds(), 0.0),
         }
     }
@@ -260,14 +258,14 @@ impl Instance {
 
     /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
     fn prepare(&self, ray: &Prepared, tree: &Tree) -> Prepared {
-        let origin = self.inverse.transform_point3(ray.origin);
-        let direction = self.inverse.transform_vector3(ray.direction);
-        let error = self.error[0] * ray.origin.abs().max_element() + self.error[1];
+        let origin = self.inverse.transform_point3(ray.line.origin);
+        let direction = self.inverse.transform_vector3(ray.line.direction);
+        let error = self.error[0] * ray.line.origin.abs().max_element() + self.error[1];
         Prepared { slab: Slab::new(origin, direction, &tree.bounds(), error), ..*ray }
     }
 }
 
-fn sound(ray: &Ray) -> bool {
+pub(super) fn sound(ray: &Ray) -> bool {
     let length = ray.direction.abs().max_element();
     ray.origin.is_finite()
         && ray.direction.is_finite()

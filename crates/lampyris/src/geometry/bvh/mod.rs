@@ -3,14 +3,24 @@
 //! or sixteen rays of one origin. Which kernel walks is a matter of speed only: all give the same bits.
 
 mod build;
+mod packet;
 mod portable;
+#[cfg(target_arch = "x86_64")]
+mod simd_avx2;
+#[cfg(target_arch = "x86_64")]
+mod simd_avx512;
 mod slab;
+#[cfg(test)]
+mod tests;
 mod triangle;
 
 pub(super) use build::{Bounds, build};
+pub(super) use packet::{Packet, PacketBest};
 pub(super) use slab::Slab;
 pub(super) use triangle::{Plane, Shear};
 
+use super::Hit;
+use super::packet::LANES;
 use glam::{Affine3A, Vec3};
 use triangle::{Crossing, crossing, pierced};
 
@@ -81,12 +91,18 @@ pub(super) struct Placed {
     pub(super) mirrored: bool,
 }
 
-/// A ray made ready for boxes and triangles.
+/// A line made ready for triangles, always in the world.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Prepared {
+pub(super) struct Line {
     pub(super) origin: Vec3,
     pub(super) direction: Vec3,
     pub(super) shear: Shear,
+}
+
+/// A ray made ready for boxes and triangles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Prepared {
+    pub(super) line: Line,
     /// Against the boxes of the tree, in the space of the tree.
     pub(super) slab: Slab,
 }
@@ -105,6 +121,11 @@ pub(super) struct Best {
 impl Best {
     pub(super) fn none(t_max: f32) -> Best {
         Best { t: t_max, u: 0.0, v: 0.0, instance: 0, triangle: 0, found: false }
+    }
+
+    pub(super) fn hit(&self) -> Option<Hit> {
+        let Best { t, u, v, instance, triangle, found } = *self;
+        found.then_some(Hit { t, u, v, instance, triangle })
     }
 
     /// Equal distances are decided by number, so that the tree cannot show.
@@ -131,18 +152,35 @@ pub(super) enum End {
 pub enum Kernel {
     /// Plain Rust, the oracle of the others.
     Portable,
+    /// Eight boxes or triangles at once.
+    Avx2,
+    /// Also sixteen rays of one origin at once.
+    Avx512,
 }
 
 impl Kernel {
     /// The fastest that this machine has.
     pub fn detect() -> Kernel {
-        Kernel::Portable
+        let known = [Kernel::Avx512, Kernel::Avx2];
+        known.into_iter().find(|k| k.available()).unwrap_or(Kernel::Portable)
     }
 
     /// Does this machine have it?
     pub fn available(self) -> bool {
         match self {
             Kernel::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => is_x86_feature_detected!("avx2"),
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx512 => {
+                Kernel::Avx2.available()
+                    && is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512vl")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512bw")
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
         }
     }
 }
@@ -170,13 +208,46 @@ impl Tree {
 
     pub(super) fn closest(&self, kernel: Kernel, ray: &Prepared, placed: Option<&Placed>, best: &mut Best) {
         match kernel {
-            Kernel::Portable => portable::closest(self, ray, placed, best),
+            // SAFETY: a tracer holds only kernels that the machine was found to have.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 | Kernel::Avx512 => unsafe { simd_avx2::closest(self, ray, placed, best) },
+            _ => portable::closest(self, ray, placed, best),
         }
     }
 
     pub(super) fn occluded(&self, kernel: Kernel, ray: &Prepared, end: End, placed: Option<&Placed>) -> bool {
         match kernel {
-            Kernel::Portable => portable::occluded(self, ray, end, placed),
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 | Kernel::Avx512 => unsafe { simd_avx2::occluded(self, ray, end, placed) },
+            _ => portable::occluded(self, ray, end, placed),
+        }
+    }
+}
+
+/// Packets: `None` where the kernel has none, and rays go one by one.
+impl Tree {
+    pub(super) fn closest16(&self, kernel: Kernel, packet: &Packet, best: &mut PacketBest) -> Option<()> {
+        match kernel {
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx512 => unsafe { simd_avx512::closest(self, packet, best) },
+            _ => return None,
+        }
+        Some(())
+    }
+
+    pub(super) fn occluded16(
+        &self,
+        kernel: Kernel,
+        packet: &Packet,
+        targets: &[[f32; LANES]; 3],
+    ) -> Option<u16> {
+        match kernel {
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx512 => Some(unsafe { simd_avx512::occluded(self, packet, targets) }),
+            _ => None,
         }
     }
 }
@@ -248,19 +319,22 @@ impl Block {
         moved
     }
 
-    fn offer(&self, i: usize, ray: &Prepared, best: &mut Best) {
-        if let Some((c, front)) = crossing(&self.corners(i), ray.origin, ray.direction, &ray.shear)
-            && !self.passes(i, front)
-        {
+    /// Where the line meets triangle `i`, unless that lets it pass.
+    fn crossing(&self, i: usize, line: &Line) -> Option<Crossing> {
+        let (c, front) = crossing(&self.corners(i), line.origin, line.direction, &line.shear)?;
+        (!self.passes(i, front)).then_some(c)
+    }
+
+    fn offer(&self, i: usize, line: &Line, best: &mut Best) {
+        if let Some(c) = self.crossing(i, line) {
             best.offer(c, self.instance[i], self.triangle[i]);
         }
     }
 
-    fn blocks(&self, i: usize, ray: &Prepared, end: End) -> bool {
+    fn blocks(&self, i: usize, line: &Line, end: End) -> bool {
         match end {
-            End::Distance(t_max) => crossing(&self.corners(i), ray.origin, ray.direction, &ray.shear)
-                .is_some_and(|(c, front)| c.t < t_max && !self.passes(i, front)),
-            End::Point(target) => pierced(&self.corners(i), ray.origin, target, &ray.shear)
+            End::Distance(t_max) => self.crossing(i, line).is_some_and(|c| c.t < t_max),
+            End::Point(target) => pierced(&self.corners(i), line.origin, target, &line.shear)
                 .is_some_and(|front| !self.passes(i, front)),
         }
     }

@@ -15,7 +15,7 @@ pub(super) fn closest(tree: &Tree, ray: &Prepared, placed: Option<&Placed>, best
             None => block,
         };
         for i in 0..WIDTH {
-            block.offer(i, ray, best);
+            block.offer(i, &ray.line, best);
         }
         best.t
     });
@@ -32,9 +32,9 @@ pub(super) fn occluded(tree: &Tree, ray: &Prepared, end: End, placed: Option<&Pl
         hit = match placed {
             Some(place) => {
                 let moved = block.placed(place);
-                (0..WIDTH).any(|i| moved.blocks(i, ray, end))
+                (0..WIDTH).any(|i| moved.blocks(i, &ray.line, end))
             }
-            None => (0..WIDTH).any(|i| block.blocks(i, ray, end)),
+            None => (0..WIDTH).any(|i| block.blocks(i, &ray.line, end)),
         };
         if hit { f32::NEG_INFINITY } else { t_max }
     });

@@ -22,6 +22,8 @@ pub(crate) struct Slab {
     pub(super) inverse: [f32; 3],
     /// By how much a computed distance may fall short of its box.
     pub(super) slack: f32,
+    /// By how much boxes are widened.
+    pub(super) widening: f32,
 }
 
 impl Slab {
@@ -31,17 +33,22 @@ impl Slab {
         let widening = reach * WIDENING + error;
         let d = direction.to_array();
         let kz = largest_axis(d);
-        // A direction almost in the plane of a slab counts as 2⁻⁶⁴ of the largest: within the widening of any box.
-        let least = d[kz].abs() / 2f32.powi(64);
-        let inverse = d.map(|d| 1.0 / if d.abs() < least { least.copysign(d) } else { d });
+        let inverse = d.map(|component| Slab::inverse(component, d[kz].abs()));
         Slab {
             origin: [
                 origin.to_array().map(|o| (o + widening).next_up()),
                 origin.to_array().map(|o| (o - widening).next_down()),
             ],
             inverse,
+            widening,
             slack: widening * inverse[kz].abs(),
         }
+    }
+
+    /// A direction almost in the plane of a slab counts as 2⁻⁶⁴ of the largest: within the widening of any box.
+    pub(super) fn inverse(component: f32, largest: f32) -> f32 {
+        let least = largest * (1.0 / 18_446_744_073_709_551_616.0);
+        1.0 / if component.abs() < least { least.copysign(component) } else { component }
     }
 
     /// Distances at which the line enters and leaves a box; it misses where the first exceeds the second.

@@ -1,0 +1,198 @@
+//! What the tracer promises beside being watertight: no surface is hit by the rays that leave it, sharing a mesh
+//! changes no bit, one-sided triangles let rays pass from behind, and nothing bad in the input does harm.
+
+mod common;
+
+use common::{Rng, kernels, shapes, tracer};
+use glam::{Affine3A, Mat3, Quat, Vec3};
+use lampyris::geometry::{LANES, MeshGeometry, Placement, Ray, SurfacePoint, Tracer};
+
+fn signed(rng: &mut Rng) -> Vec3 {
+    rng.vector() * 2.0 - 1.0
+}
+
+fn normal(corners: &[Vec3; 3]) -> Vec3 {
+    let [a, b, c] = corners.map(|c| c.to_array().map(f64::from));
+    let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+    let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+    Vec3::from_array(n.map(|n| (n / length) as f32))
+}
+
+/// [pbrt's test `Triangle.Reintersect`]: coordinates from 1e-8 to 1e8, rays to all sides from each point.
+#[test]
+fn rays_never_hit_the_surface_they_leave() {
+    let mut rng = Rng::new(7);
+    let mut rays = 0;
+    while rays < 1_000_000 {
+        let mut coordinate = || 10f32.powi(rng.below(17) as i32 - 8) * (rng.unit() * 2.0 - 1.0);
+        let corners = [0; 3].map(|_| Vec3::new(coordinate(), coordinate(), coordinate()));
+        let mesh = MeshGeometry { positions: &corners, triangles: &[[0, 1, 2]], one_sided: &[] };
+        let tracer = Tracer::build(&[mesh], &[Placement { mesh: 0, transform: Affine3A::IDENTITY }]);
+        let n = normal(&corners);
+        for _ in 0..100 {
+            let (a, b) = (rng.unit(), rng.unit());
+            let (u, v) = if a + b < 1.0 { (a, b) } else { (1.0 - a, 1.0 - b) };
+            let n = if rng.below(2) == 0 { n } else { -n };
+            let d = signed(&mut rng).normalize_or(n);
+            let d = if d.dot(n) < 0.0 { d - n * (2.0 * d.dot(n)) } else { d };
+            let start = SurfacePoint::new(&corners, u, v).spawn(n);
+            assert_eq!(tracer.closest(&Ray::new(start, d)), None, "{corners:?} {u} {v} {d}");
+            rays += 1;
+        }
+    }
+}
+
+/// Floors and walls of many triangles, turned at random so that no coordinate is round.
+#[test]
+fn points_of_a_room_see_each_other() {
+    let mut rng = Rng::new(8);
+    for offset in [Vec3::ZERO, Vec3::new(148_376.0, 1_234.0, -223_423.0)] {
+        let turn = Quat::from_axis_angle(signed(&mut rng).normalize(), 1.0 + rng.unit());
+        let mut room = shapes(100.0, Vec3::ZERO).swap_remove(1);
+        for p in &mut room.positions {
+            *p = turn * *p + offset;
+        }
+        for kernel in kernels() {
+            let tracer = tracer(&room).with_kernel(kernel).expect("available");
+            let point = |rng: &mut Rng, wall: usize| {
+                let per_wall = room.triangles.len() / 6;
+                let triangle = room.triangles[wall * per_wall + rng.below(per_wall)];
+                let corners = triangle.map(|v| room.positions[v as usize]);
+                let (a, b) = (rng.unit(), rng.unit());
+                let (u, v) = if a + b < 1.0 { (a, b) } else { (1.0 - a, 1.0 - b) };
+                // Not in the corners of the room: within its rounding a point there may lie behind the next wall.
+                let (u, v) = (0.05 + 0.85 * u, 0.05 + 0.85 * v);
+                SurfacePoint::new(&corners, u, v).spawn(normal(&corners))
+            };
+            for i in 0..20_000 {
+                let wall = i % 6;
+                let from = point(&mut rng, wall);
+                let mut targets = [[0.0; LANES]; 3];
+                for lane in 0..LANES {
+                    // On the same wall or another: a room is convex.
+                    let other = if lane % 2 == 0 { wall } else { rng.below(6) };
+                    let to = point(&mut rng, other);
+                    assert!(!tracer.blocked(from, to), "{kernel:?} {from} {to}");
+                    for axis in 0..3 {
+                        targets[axis][lane] = to[axis];
+                    }
+                }
+                assert_eq!(tracer.occluded16(from, &targets, u16::MAX), 0, "{kernel:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn sharing_a_mesh_changes_no_bit() {
+    let mut rng = Rng::new(9);
+    let shape = shapes(1.0, Vec3::ZERO).swap_remove(0);
+    let one_sided: Vec<bool> = shape.triangles.iter().map(|_| rng.below(3) == 0).collect();
+    let mesh =
+        MeshGeometry { positions: &shape.positions, triangles: &shape.triangles, one_sided: &one_sided };
+    let transforms: Vec<Affine3A> = (0..12)
+        .map(|i| {
+            let mirror = if i % 3 == 0 { -1.0 } else { 1.0 };
+            let stretch = Vec3::new(mirror * (0.3 + rng.unit()), 0.2 + rng.unit(), 0.1 + 2.0 * rng.unit());
+            let turn = Quat::from_axis_angle(signed(&mut rng).normalize(), rng.unit() * 6.0);
+            Affine3A::from_scale_rotation_translation(stretch, turn, signed(&mut rng) * 4.0)
+        })
+        .collect();
+    let place = |mesh: fn(u32) -> u32| -> Vec<Placement> {
+        transforms.iter().zip(0..).map(|(t, i)| Placement { mesh: mesh(i), transform: *t }).collect()
+    };
+    for kernel in kernels() {
+        let shared = Tracer::build(&[mesh], &place(|_| 0)).with_kernel(kernel).expect("available");
+        let flat = Tracer::build(&[mesh; 12], &place(|i| i)).with_kernel(kernel).expect("available");
+        assert_eq!(shared.report(), flat.report());
+        assert!(shared.memory() * 4 < flat.memory());
+        let mut hits = 0;
+        for _ in 0..20_000 {
+            let origin = signed(&mut rng) * 6.0;
+            let towards = signed(&mut rng) * 4.0;
+            let targets: [[f32; LANES]; 3] =
+                [0, 1, 2].map(|a| [0; LANES].map(|_| towards[a] + 0.3 * rng.unit()));
+            let directions = [0, 1, 2].map(|a| targets[a].map(|t| t - origin[a]));
+            let met = flat.closest16(origin, &directions, u16::MAX);
+            assert_eq!(shared.closest16(origin, &directions, u16::MAX), met);
+            let blocked = flat.occluded16(origin, &targets, u16::MAX);
+            assert_eq!(shared.occluded16(origin, &targets, u16::MAX), blocked);
+            hits += met.hit.count_ones();
+            let single = shared.closest(&Ray::new(origin, towards - origin));
+            assert_eq!(single, flat.closest(&Ray::new(origin, towards - origin)));
+        }
+        assert!(hits > 10_000, "{hits}");
+    }
+}
+
+#[test]
+fn the_back_of_a_one_sided_triangle_lets_pass() {
+    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    let mesh = MeshGeometry { positions: &positions, triangles: &[[0, 1, 2]], one_sided: &[true] };
+    let mirror = Affine3A::from_scale(Vec3::new(1.0, 1.0, -1.0));
+    for kernel in kernels() {
+        for (transform, front) in [(Affine3A::IDENTITY, 1.0), (mirror, -1.0)] {
+            let one = Tracer::build(&[mesh], &[Placement { mesh: 0, transform }]);
+            let far = Affine3A::from_translation(Vec3::splat(50.0));
+            let two = [Placement { mesh: 0, transform }, Placement { mesh: 0, transform: far }];
+            let two = Tracer::build(&[mesh], &two);
+            for tracer in [one, two].map(|t| t.with_kernel(kernel).expect("available")) {
+                for z in [1.0, -1.0f32] {
+                    let (from, to) = (Vec3::new(0.2, 0.3, z), Vec3::new(0.2, 0.3, -z));
+                    let seen = z == front;
+                    assert_eq!(tracer.closest(&Ray::between(from, to)).is_some(), seen);
+                    assert_eq!(tracer.blocked(from, to), seen);
+                    let targets = to.to_array().map(|x| [x; LANES]);
+                    assert_eq!(tracer.occluded16(from, &targets, 0x0ff0), if seen { 0x0ff0 } else { 0 });
+                    let directions = (to - from).to_array().map(|x| [x; LANES]);
+                    assert_eq!(
+                        tracer.closest16(from, &directions, 0xf00f).hit,
+                        if seen { 0xf00f } else { 0 }
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_left_out_and_counted() {
+    let (nan, inf) = (f32::NAN, f32::INFINITY);
+    let positions =
+        [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(nan, 0.0, 0.0), Vec3::new(0.0, inf, 0.0), Vec3::splat(1e19)];
+    let triangles = [[0, 1, 2], [0, 1, 3], [0, 1, 4], [0, 1, 5], [0, 0, 1], [1, 1, 1], [0, 1, 99], [0, 1, 2]];
+    let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[] };
+    let place = |mesh: u32, transform: Affine3A| Placement { mesh, transform };
+    let singular = Affine3A::from_mat3(Mat3::from_diagonal(Vec3::new(1.0, 0.0, 1.0)));
+    let broken = Affine3A::from_translation(Vec3::new(nan, 0.0, 0.0));
+    let tracer = Tracer::build(
+        &[mesh],
+        &[place(0, singular), place(0, broken), place(7, Affine3A::IDENTITY), place(0, Affine3A::IDENTITY)],
+    );
+    let report = tracer.report();
+    assert_eq!((report.triangles, report.dropped_triangles, report.dropped_instances), (2, 6, 3));
+    let down = Ray::new(Vec3::new(0.25, 0.25, 1.0), Vec3::NEG_Z);
+    let hit = tracer.closest(&down).expect("there is a triangle");
+    // The two equal triangles tie: the first wins.
+    assert_eq!((hit.t, hit.instance, hit.triangle), (1.0, 3, 0));
+    for bad in [nan, inf, -inf] {
+        for axis in Vec3::AXES {
+            for ray in [
+                Ray { origin: down.origin + axis * bad, ..down },
+                Ray { direction: down.direction + axis * bad, ..down },
+                Ray { direction: Vec3::ZERO, ..down },
+                Ray { t_max: nan, ..down },
+            ] {
+                assert_eq!(tracer.closest(&ray), None);
+                assert!(!tracer.occluded(&ray));
+                let directions = ray.direction.to_array().map(|x| [x; LANES]);
+                assert!(ray.t_max.is_nan() || tracer.closest16(ray.origin, &directions, u16::MAX).hit == 0);
+            }
+        }
+    }
+    let empty = Tracer::build(&[], &[]);
+    assert_eq!(empty.closest(&down), None);
+    assert_eq!(empty.occluded16(Vec3::ZERO, &[[1.0; LANES]; 3], u16::MAX), 0);
+    assert_eq!(empty.bounds(), None);
+}
