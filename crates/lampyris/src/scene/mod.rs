@@ -5,6 +5,7 @@ mod upward;
 mod viewpoint;
 
 pub use camera::{Camera, View};
+pub use upward::upward;
 pub use viewpoint::{Found, find_view};
 
 use crate::color::Rgb;
