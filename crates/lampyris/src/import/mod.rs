@@ -1,5 +1,9 @@
 //! Scene files in. One table by extension: a new format is one file and one row.
 
+mod files;
+mod mgf;
+mod report;
+
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use std::path::{Path, PathBuf};
@@ -20,6 +24,17 @@ pub struct Options {
     pub root: Option<PathBuf>,
     /// Bounds on what a file may ask for.
     pub limits: Limits,
+    /// Facets around a full circle where a format has curved shapes: a multiple of 4, from 4 to 4096.
+    pub circle_steps: u32,
+}
+
+/// Facets around a circle unless asked otherwise, as many as the usual converters of MGF make.
+pub const CIRCLE_STEPS: u32 = 20;
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { root: None, limits: Limits::default(), circle_steps: CIRCLE_STEPS }
+    }
 }
 
 /// Bounds on what a file may ask for; each has an option of the program.
@@ -63,10 +78,17 @@ pub struct Format {
 }
 
 /// Every format that can be read.
-pub const FORMATS: &[Format] = &[];
+pub const FORMATS: &[Format] =
+    &[Format { extensions: &["mgf"], name: "Materials and Geometry Format", load: mgf::load }];
 
 /// Loads a scene file by its extension.
 pub fn load(path: &Path, options: &Options) -> Result<Loaded> {
+    let steps = options.circle_steps;
+    if !(4..=4096).contains(&steps) || !steps.is_multiple_of(4) {
+        return Err(Error::BadSetting(format!(
+            "{steps} facets a circle: give a multiple of 4 from 4 to 4096"
+        )));
+    }
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
     match FORMATS.iter().find(|f| f.extensions.contains(&extension.as_str())) {
         Some(format) => (format.load)(path, options),
