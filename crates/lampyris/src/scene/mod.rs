@@ -1,8 +1,10 @@
 //! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
 
 mod camera;
+mod summary;
 
 pub use camera::{Camera, View};
+pub use summary::Summary;
 
 use crate::color::Rgb;
 use crate::light::Light;
