@@ -151,6 +151,9 @@ pub(crate) struct SceneArgs {
     /// Folder beneath which every file must lie [default: the scene's own]
     #[arg(long, value_name = "DIR")]
     pub(crate) root: Option<PathBuf>,
+    /// Facets around a full circle of curved shapes, a multiple of 4 [default: 20]
+    #[arg(long, value_name = "N")]
+    pub(crate) circle: Option<u32>,
     #[command(flatten)]
     pub(crate) limits: LimitArgs,
 }

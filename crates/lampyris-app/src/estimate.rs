@@ -3,10 +3,10 @@
 use crate::cli::EstimateArgs;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::placeholder::backend::{Absorption, Backend, Batch, Settings};
-use crate::placeholder::integrator;
 use crate::progress::Progress;
 use lampyris::Error;
+use lampyris::backend::{Absorption, Backend, Batch, Settings};
+use lampyris::integrator;
 use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
 

@@ -2,9 +2,9 @@
 
 use crate::cli::ListArgs;
 use crate::failure::Failure;
-use crate::placeholder::backend::Absorption;
-use crate::placeholder::integrator;
 use crate::say;
+use lampyris::backend::Absorption;
+use lampyris::integrator;
 use lampyris::sequence::Sequence;
 use lampyris::{import, output};
 use output::ToneCurve;

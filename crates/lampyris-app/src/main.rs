@@ -11,7 +11,6 @@ mod list;
 mod measure;
 mod memory;
 mod parse;
-mod placeholder;
 mod progress;
 mod render;
 mod say;

@@ -2,13 +2,13 @@
 
 use crate::cli::MeasureArgs;
 use crate::failure::{Failure, INTERRUPTED};
-use crate::placeholder::backend::Backend;
-use crate::placeholder::cpu::Cpu;
-use crate::placeholder::eye::{Eye, Meter};
-use crate::placeholder::frame::Frame;
 use crate::progress::Progress;
 use crate::{estimate, say, scene_file};
 use glam::Vec3;
+use lampyris::backend::Backend;
+use lampyris::cpu::Cpu;
+use lampyris::eye::{Eye, Meter};
+use lampyris::frame::Frame;
 use lampyris::{Error, Rgb};
 use serde::Serialize;
 use std::f32::consts::PI;

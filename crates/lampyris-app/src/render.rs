@@ -2,13 +2,13 @@
 
 use crate::cli::RenderArgs;
 use crate::failure::{Failure, INTERRUPTED};
-use crate::placeholder::backend::{Absorption, Backend, Rays, Settings, Statistics};
-use crate::placeholder::cpu::Cpu;
-use crate::placeholder::eye::Eye;
-use crate::placeholder::frame::Frame;
 use crate::progress::{Progress, error_text};
 use crate::{estimate, memory, say, scene_file, viewing};
 use glam::Vec3;
+use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
+use lampyris::cpu::Cpu;
+use lampyris::eye::Eye;
+use lampyris::frame::Frame;
 use lampyris::output::{self, Display, Layer, Picture, Plane};
 use lampyris::scene::{Camera, View};
 use lampyris::{Error, Rgb};

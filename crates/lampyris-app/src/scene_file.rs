@@ -16,7 +16,14 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         array: l.max_array.unwrap_or(d.array),
         polygon: l.max_polygon.unwrap_or(d.polygon),
     };
-    let loaded = import::load(&args.file, &Options { root: args.root.clone(), limits })?;
+    let loaded = import::load(
+        &args.file,
+        &Options {
+            root: args.root.clone(),
+            limits,
+            circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
+        },
+    )?;
     if !quiet {
         loaded.warnings.iter().for_each(|w| say::note(&format!("warning: {w}")));
     }

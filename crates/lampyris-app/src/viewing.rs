@@ -2,9 +2,9 @@
 
 use crate::cli::ViewArgs;
 use crate::failure::Failure;
-use crate::placeholder::world::World;
 use lampyris::Error;
 use lampyris::scene::{Camera, Scene, find_view, upward};
+use lampyris::world::World;
 
 /// A camera, and whether the program had to find it.
 pub(crate) struct Chosen {
