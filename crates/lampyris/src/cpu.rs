@@ -78,7 +78,8 @@ impl Backend for Cpu {
 
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
-        let job = job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
+        let job =
+            job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
         pool.install(|| job.add(batch));
         Ok(())
     }

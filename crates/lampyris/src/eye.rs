@@ -291,7 +291,8 @@ fn follow<'w>(
         });
         let surface = met?;
         if !surface.emission.is_black() {
-            let weight = if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
+            let weight =
+                if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
             *emission += throughput * surface.emission * weight;
         }
         let albedo = |class| surface.bsdf.albedo(class, Vec3::Z).max_channel().max(0.0);
@@ -325,9 +326,11 @@ fn follow<'w>(
 
 /// Lights reflected by polish that is no delta lobe, by next-event estimation.
 fn highlight(world: &World, surface: &Surface<'_>, numbers: Numbers, vertex: u32, rays: &mut Rays) -> Rgb {
-    let Some((emitter, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else { return Rgb::BLACK };
-    let Some(arrival) =
-        world.emitters()[emitter as usize].toward(surface.position, numbers.pair(ledger::light_point(vertex)))
+    let Some((emitter, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else {
+        return Rgb::BLACK;
+    };
+    let Some(arrival) = world.emitters()[emitter as usize]
+        .toward(surface.position, numbers.pair(ledger::light_point(vertex)))
     else {
         return Rgb::BLACK;
     };

@@ -62,7 +62,11 @@ impl World {
             .meshes
             .iter()
             .zip(&one_sided)
-            .map(|(m, one_sided)| MeshGeometry { positions: &m.positions, triangles: &m.triangles, one_sided })
+            .map(|(m, one_sided)| MeshGeometry {
+                positions: &m.positions,
+                triangles: &m.triangles,
+                one_sided,
+            })
             .collect();
         let placements: Vec<Placement> =
             scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
@@ -250,7 +254,8 @@ impl World {
             let material = &self.scene.materials[key.1 as usize];
             let front = groups.remove(&key).unwrap_or_default();
             let both = material.sides == Sides::Both;
-            let back = front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
+            let back =
+                front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
             let mut number = |side: Option<EmissiveSide>| {
                 side.map(|side| {
                     self.emitters.push(Emitter::Side(side));
@@ -273,7 +278,8 @@ impl World {
             if let [Some(front), Some(back)] = *sides {
                 let (f, b) = (self.openness(front), self.openness(back));
                 let both = weights[front as usize] + weights[back as usize];
-                let front_part = f64::from((f / (f + b).max(f32::MIN_POSITIVE)).clamp(LEAST_SIDE, 1.0 - LEAST_SIDE));
+                let front_part =
+                    f64::from((f / (f + b).max(f32::MIN_POSITIVE)).clamp(LEAST_SIDE, 1.0 - LEAST_SIDE));
                 weights[front as usize] = both * front_part;
                 weights[back as usize] = both * (1.0 - front_part);
             }
@@ -294,7 +300,8 @@ impl World {
         let free = |i: u32| {
             let u = [0, 1, 2, 3].map(|d| sequence::halton(i + 1, d));
             let start = self.emitters[emitter as usize].emit(u, self.bounds);
-            let t = self.tracer.closest(&Ray::new(start.origin, start.direction)).map_or(f32::INFINITY, |h| h.t);
+            let t =
+                self.tracer.closest(&Ray::new(start.origin, start.direction)).map_or(f32::INFINITY, |h| h.t);
             (t / reach).min(1.0)
         };
         (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32

@@ -83,7 +83,9 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
         return Err(Error::BadSetting("choose at least one part".into()));
     }
     if chosen.len() > 1 && chosen.iter().any(|i| i.name() == "path") {
-        return Err(Error::BadSetting("\"path\" covers every path: beside it any other part counts twice".into()));
+        return Err(Error::BadSetting(
+            "\"path\" covers every path: beside it any other part counts twice".into(),
+        ));
     }
     Ok(chosen)
 }

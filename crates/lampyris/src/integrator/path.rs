@@ -37,7 +37,8 @@ impl Integrator for Path {
                 let pixel = packet.pixels[k];
                 let start = match pass.eye {
                     Eye::Camera(view) => {
-                        let (x, y) = (tile.rect.x + pixel % tile.rect.width, tile.rect.y + pixel / tile.rect.width);
+                        let (x, y) =
+                            (tile.rect.x + pixel % tile.rect.width, tile.rect.y + pixel / tile.rect.width);
                         let offset = pass.sampling.offset;
                         Start::Ray(view.ray(x as f32 + offset[0], y as f32 + offset[1]))
                     }
@@ -46,7 +47,8 @@ impl Integrator for Path {
                         Start::Surface(Surface::meter(m.position, m.normal))
                     }
                 };
-                let parts = trace(pass.world, start, Scope::Everything, packet.numbers[k].branch(b'p'.into()), rays);
+                let parts =
+                    trace(pass.world, start, Scope::Everything, packet.numbers[k].branch(b'p'.into()), rays);
                 out[pixel as usize] += parts.sum();
             }
         }
@@ -121,7 +123,13 @@ impl History {
 }
 
 /// One path and its connections to the lights.
-pub(super) fn trace(world: &World, start: Start<'_>, scope: Scope, numbers: Numbers, rays: &mut Rays) -> Parts {
+pub(super) fn trace(
+    world: &World,
+    start: Start<'_>,
+    scope: Scope,
+    numbers: Numbers,
+    rays: &mut Rays,
+) -> Parts {
     let mut parts = Parts::default();
     let mut throughput = Rgb::WHITE;
     let mut history = History::Sharp;
@@ -148,8 +156,11 @@ pub(super) fn trace(world: &World, start: Start<'_>, scope: Scope, numbers: Numb
                 parts.add(history.after(class), throughput * lit);
             }
         }
-        let class =
-            if numbers.one(ledger::class(vertex)) < probability(Class::Sharp) { Class::Sharp } else { Class::Dull };
+        let class = if numbers.one(ledger::class(vertex)) < probability(Class::Sharp) {
+            Class::Sharp
+        } else {
+            Class::Dull
+        };
         let u = numbers.pair(ledger::direction(vertex));
         let Some(s) = x.sample(class, u, numbers.one(ledger::lobe(vertex))) else { break };
         throughput *= s.weight * (1.0 / probability(class));
@@ -200,7 +211,9 @@ fn connect(
     vertex: u32,
     rays: &mut Rays,
 ) -> Rgb {
-    let Some((k, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else { return Rgb::BLACK };
+    let Some((k, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else {
+        return Rgb::BLACK;
+    };
     let emitter = &world.emitters()[k as usize];
     let Some(arrival) = emitter.toward(x.position, numbers.pair(ledger::light_point(vertex))) else {
         return Rgb::BLACK;

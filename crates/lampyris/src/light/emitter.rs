@@ -87,8 +87,12 @@ impl Emitter {
             Emitter::Lamp(LightKind::Point { intensity, .. }) => *intensity * (4.0 * PI),
             Emitter::Lamp(LightKind::Spot { intensity, beam, .. }) => *intensity * beam.solid_angle(),
             Emitter::Lamp(LightKind::Directional { illuminance, .. }) => *illuminance * disc,
-            Emitter::Lamp(LightKind::Sphere { radius, radiance, .. }) => *radiance * (4.0 * PI * PI * radius * radius),
-            Emitter::Lamp(LightKind::Disc { radius, radiance, .. }) => *radiance * (PI * PI * radius * radius),
+            Emitter::Lamp(LightKind::Sphere { radius, radiance, .. }) => {
+                *radiance * (4.0 * PI * PI * radius * radius)
+            }
+            Emitter::Lamp(LightKind::Disc { radius, radiance, .. }) => {
+                *radiance * (PI * PI * radius * radius)
+            }
             Emitter::Side(side) => side.radiance * (PI * side.area),
             Emitter::Environment { radiance } => *radiance * (4.0 * PI * disc),
         }
@@ -111,7 +115,10 @@ impl Emitter {
         let from_infinity = |travel: Vec3| {
             let f = Frame::new(travel);
             let [x, y] = concentric_disc(place);
-            Departure { origin: bounds.center + (f.s * x + f.t * y - travel) * bounds.radius, direction: travel }
+            Departure {
+                origin: bounds.center + (f.s * x + f.t * y - travel) * bounds.radius,
+                direction: travel,
+            }
         };
         match self {
             Emitter::Lamp(LightKind::Point { position, .. }) => {
@@ -142,9 +149,11 @@ impl Emitter {
             Emitter::Lamp(LightKind::Point { position, intensity }) => {
                 LightPoint { position: *position, shine: Shine::Isotropic, intensity: *intensity }
             }
-            Emitter::Lamp(LightKind::Spot { position, direction, intensity, beam }) => {
-                LightPoint { position: *position, shine: Shine::Beam(*direction, *beam), intensity: *intensity }
-            }
+            Emitter::Lamp(LightKind::Spot { position, direction, intensity, beam }) => LightPoint {
+                position: *position,
+                shine: Shine::Beam(*direction, *beam),
+                intensity: *intensity,
+            },
             Emitter::Lamp(LightKind::Directional { direction, illuminance }) => {
                 LightPoint { position: -*direction, shine: Shine::Distant, intensity: *illuminance }
             }
@@ -165,9 +174,11 @@ impl Emitter {
                 let (position, n) = side.point(u);
                 LightPoint { position, shine: Shine::Lambert(n), intensity: side.radiance * side.area }
             }
-            Emitter::Environment { radiance } => {
-                LightPoint { position: uniform_sphere(u), shine: Shine::Distant, intensity: *radiance * (4.0 * PI) }
-            }
+            Emitter::Environment { radiance } => LightPoint {
+                position: uniform_sphere(u),
+                shine: Shine::Distant,
+                intensity: *radiance * (4.0 * PI),
+            },
         }
     }
 
@@ -180,11 +191,17 @@ impl Emitter {
             let wi = Frame::new(axis).to_world(uniform_cone(u, cos_max));
             let t = entry(x, wi, *center, *radius).unwrap_or((*center - x).length() - radius);
             let solid_angle = TAU * (1.0 - cos_max);
-            return Some(Arrival { wi, end: Some(x + wi * t), weight: *radiance * solid_angle, pdf: 1.0 / solid_angle });
+            return Some(Arrival {
+                wi,
+                end: Some(x + wi * t),
+                weight: *radiance * solid_angle,
+                pdf: 1.0 / solid_angle,
+            });
         }
         let point = self.point(u);
         if let Shine::Distant = point.shine {
-            let pdf = if matches!(self, Emitter::Environment { .. }) { 0.25 * FRAC_1_PI } else { f32::INFINITY };
+            let pdf =
+                if matches!(self, Emitter::Environment { .. }) { 0.25 * FRAC_1_PI } else { f32::INFINITY };
             return Some(Arrival { wi: point.position, end: None, weight: point.intensity, pdf });
         }
         let d = point.position - x;
@@ -217,7 +234,9 @@ impl Emitter {
                 cone_of_sphere(*center - x, *radius).map_or(0.0, |c| 1.0 / (TAU * (1.0 - c)))
             }
             Emitter::Environment { .. } => 0.25 * FRAC_1_PI,
-            Emitter::Lamp(LightKind::Disc { .. }) | Emitter::Side(_) => distance * distance / (cosine * self.area()),
+            Emitter::Lamp(LightKind::Disc { .. }) | Emitter::Side(_) => {
+                distance * distance / (cosine * self.area())
+            }
             Emitter::Lamp(_) => 0.0,
         }
     }
@@ -271,7 +290,11 @@ impl Beam {
             Beam::Cone { cos_inner, cos_outer } => {
                 let (cap, rim) = (1.0 - cos_inner, (cos_inner - cos_outer) / 3.0);
                 let v = u[0] * (cap + rim);
-                let cos = if v < cap { 1.0 - v } else { cos_outer + (cos_inner - cos_outer) * cube_root_of_rest(v - cap, rim) };
+                let cos = if v < cap {
+                    1.0 - v
+                } else {
+                    cos_outer + (cos_inner - cos_outer) * cube_root_of_rest(v - cap, rim)
+                };
                 let sin = (1.0 - cos * cos).max(0.0).sqrt();
                 let (s, c) = libm::sincosf(TAU * u[1]);
                 Vec3::new(sin * c, sin * s, cos)

@@ -47,7 +47,7 @@ pub(super) fn bounds(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
 }
 
 /// The upward unit vector: as the file states it, or found.
-pub(super) fn upward(scene: &Scene) -> Vec3 {
+pub fn upward(scene: &Scene) -> Vec3 {
     if let Some(up) = scene.up.and_then(Vec3::try_normalize) {
         return up;
     }

@@ -225,7 +225,7 @@ impl Search<'_> {
         (self.trace)(&Ray::new(eye, point - eye)).is_some_and(|h| (h.t - 1.0).abs() < 1e-3)
     }
 
-    /// The best direction to look from a place: much in sight, nothing within `near` [m], slightly down.
+    /// The best direction to look from a place: much in sight, little within `near` [m], slightly down.
     fn best_heading(&self, place: &Place, points: &[Point], sees: &[bool], near: f32) -> Look {
         let furniture = points.iter().filter(|p| p.furniture).count();
         let walls = points.len() - furniture;
@@ -234,7 +234,8 @@ impl Search<'_> {
             (0, n) | (n, 0) => 1.0 / n as f32,
             _ => 0.5 / if p.furniture { furniture } else { walls } as f32,
         };
-        let weights: Vec<f32> = points.iter().map(weight).collect();
+        let visible: Vec<(&Point, f32)> =
+            points.iter().zip(sees).filter(|(_, s)| **s).map(|(p, _)| (p, weight(p))).collect();
         let mut best = Look { score: f32::NEG_INFINITY, seen: 0.0, forward: self.axes.s };
         for k in 0..HEADINGS * 4 {
             let heading = TAU * (k % HEADINGS) as f32 / HEADINGS as f32;
@@ -242,18 +243,13 @@ impl Search<'_> {
             let level = self.axes.s * libm::cosf(heading) + self.axes.t * libm::sinf(heading);
             let forward = level * libm::cosf(pitch) + self.axes.n * libm::sinf(pitch);
             let frustum = Frustum::new(forward, self.axes.n, self.aspect);
-            let inside = |p: &Point| frustum.contains(p.position - place.eye);
-            let seen: f32 = points
-                .iter()
-                .zip(sees)
-                .zip(&weights)
-                .filter(|((p, s), _)| **s && inside(p))
-                .map(|(_, w)| w)
-                .sum();
-            let in_frame = (0..PROBES).filter(|&k| frustum.contains(probe(k)));
-            let (close, all) =
-                in_frame.fold((0.0, 0.0), |(c, n), k| (c + f32::from(place.reach[k] < near), n + 1.0));
-            let score = seen - 0.8 * close / f32::max(all, 1.0) - 0.2 * (pitch + 0.15).abs();
+            let in_sight = visible.iter().filter(|(p, _)| frustum.contains(p.position - place.eye));
+            let seen: f32 = in_sight.map(|(_, w)| w).sum();
+            let in_frame = (0..PROBES).filter(|&k| frustum.contains(probe(k))).map(|k| place.reach[k]);
+            // What fills the frame from close by, and the void behind an open side, show nothing of the room.
+            let (idle, all) = in_frame
+                .fold((0.0, 0.0), |(n, all), r| (n + f32::from(r < near || r.is_infinite()), all + 1.0));
+            let score = seen - 0.8 * idle / f32::max(all, 1.0) - 0.2 * (pitch + 0.15).abs();
             if score > best.score {
                 best = Look { score, seen, forward };
             }

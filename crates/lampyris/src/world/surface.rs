@@ -46,7 +46,8 @@ impl<'w> Surface<'w> {
         let vertices = corners.map(|k| instance.transform.transform_point3(mesh.positions[k]));
         let [a, b, c] = vertices;
         let mirrored = instance.transform.matrix3.determinant() < 0.0;
-        let outward = (b - a).cross(c - a).normalize_or(-direction.normalize()) * if mirrored { -1.0 } else { 1.0 };
+        let outward =
+            (b - a).cross(c - a).normalize_or(-direction.normalize()) * if mirrored { -1.0 } else { 1.0 };
         let wo = -direction.normalize();
         let front = wo.dot(outward) >= 0.0;
         let normal = if front { outward } else { -outward };
@@ -137,14 +138,21 @@ impl<'w> Surface<'w> {
         if let (Class::Dull, Some(rho)) = (class, self.bsdf.lambertian()) {
             // Exact for Lambert: the leaving cosine is the geometric one.
             let wi = Frame::new(self.normal).to_world(crate::sampling::cosine_hemisphere(u));
-            return Some(Scatter { wi, weight: rho * arrived, pdf: self.normal.dot(wi) * std::f32::consts::FRAC_1_PI });
+            return Some(Scatter {
+                wi,
+                weight: rho * arrived,
+                pdf: self.normal.dot(wi) * std::f32::consts::FRAC_1_PI,
+            });
         }
         let s = self.bsdf.sample(class, self.frame.to_local(self.wo), u, choice, Transport::Flux)?;
         let wi = self.frame.to_world(s.wi);
         let (geometric, shading) = (self.normal.dot(wi), self.frame.n.dot(wi));
         let same_side = (geometric > 0.0) == (shading * self.frame.n.dot(self.normal) > 0.0);
-        (same_side && shading != 0.0)
-            .then(|| Scatter { wi, weight: s.weight * (arrived * (geometric / shading).abs()), ..s })
+        (same_side && shading != 0.0).then(|| Scatter {
+            wi,
+            weight: s.weight * (arrived * (geometric / shading).abs()),
+            ..s
+        })
     }
 
     /// What the flux of a particle arriving from `wo` is multiplied by to be the flux that the BSDF sees;

@@ -42,11 +42,11 @@ impl Chromaticity {
 
     /// Of a black body at a temperature [K], > 0.
     pub(super) fn from_temperature(kelvin: f64) -> Option<Chromaticity> {
-        // c₂ = hc/k [nm·K]; relative to 560 nm, lest the exponential leave the range at low temperatures.
+        // c₂ = hc/k [nm·K]; relative to 780 nm, where least is lost at low temperatures.
         let exponent = |nm: f64| 1.438_776_877e7 / (nm * kelvin);
         Chromaticity::integrate(|nm| {
-            let scale = libm::exp(exponent(560.0) - exponent(nm));
-            // Planck: λ⁻⁵ / (e^u − 1), with e^(u₅₆₀ − u) / (1 − e^−u) in its place.
+            let scale = libm::exp(exponent(780.0) - exponent(nm));
+            // Planck: λ⁻⁵ / (e^u − 1), with e^(u₇₈₀ − u) / (1 − e^−u) in its place.
             libm::pow(560.0 / nm, 5.0) * scale / -libm::expm1(-exponent(nm))
         })
     }
@@ -165,8 +165,8 @@ mod tests {
     #[test]
     fn a_narrow_band_lies_on_the_spectral_locus() {
         // 600 nm: x = .6270, y = .3725; 520 nm: .0743, .8338 (CIE).
-        assert_near(Chromaticity::from_spectrum(599.0, 601.0, &[1.0, 1.0]), 0.6270, 0.3725, 0.001);
-        assert_near(Chromaticity::from_spectrum(519.0, 521.0, &[1.0, 1.0]), 0.0743, 0.8338, 0.001);
+        assert_near(Chromaticity::from_spectrum(599.5, 600.5, &[1.0, 1.0]), 0.6270, 0.3725, 0.0001);
+        assert_near(Chromaticity::from_spectrum(519.5, 520.5, &[1.0, 1.0]), 0.0743, 0.8338, 0.0001);
     }
 
     #[test]

@@ -144,7 +144,7 @@ impl Reader<'_> {
             return Err("a cone's radii have the same sign, and at most one is 0".into());
         }
         let axis = high - low;
-        if !(axis.length() > 0.0) {
+        if axis == DVec3::ZERO {
             return Err("both ends are the same point; an axis needs two".into());
         }
         let inward = r1 < 0.0 || r2 < 0.0;

@@ -210,8 +210,8 @@ mod tests {
     fn keys_tell_every_field_apart() {
         let base = Surface::default();
         let mut keys = vec![base.key()];
-        for edit in [
-            |s: &mut Surface| s.two_sided = false,
+        let edits: [fn(&mut Surface); 12] = [
+            |s| s.two_sided = false,
             |s| s.rd.amount = 0.1,
             |s| s.td.amount = 0.1,
             |s| s.ed.amount = 0.1,
@@ -223,7 +223,8 @@ mod tests {
             |s| s.alpha[1] = 0.1,
             |s| s.ir[0] = 2.0,
             |s| s.ir[1] = 2.0,
-        ] {
+        ];
+        for edit in edits {
             let mut s = base.clone();
             edit(&mut s);
             assert!(!keys.contains(&s.key()));

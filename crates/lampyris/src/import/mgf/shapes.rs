@@ -122,7 +122,7 @@ pub(super) fn torus_profile(inner: f64, outer: f64, steps: u32) -> Vec<Station> 
     let (tube, center) = ((outer - inner) / 2.0, (outer + inner) / 2.0);
     let station = |k: u32| {
         let (sin, cos) = libm::sincos(f64::from(k % steps) / f64::from(steps) * std::f64::consts::TAU);
-        let innermost = k % steps == 0;
+        let innermost = k.is_multiple_of(steps);
         let normal = DVec2::new(-cos, -sin);
         let radius = if innermost { inner } else { center + tube * normal.x };
         Station { radius, height: if innermost { 0.0 } else { tube * normal.y }, normal }

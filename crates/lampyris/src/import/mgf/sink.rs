@@ -99,8 +99,7 @@ impl Sink {
         let mut positions = Vec::with_capacity(patch.vertices.len());
         for vertex in &patch.vertices {
             let p = place.transform_point3(vertex.point);
-            // Also refuses what is not a number.
-            if !(p.abs().max_element() <= FARTHEST) {
+            if !p.is_finite() || p.abs().max_element() > FARTHEST {
                 return Err(format!("a point lies farther than {FARTHEST:e} m from the origin"));
             }
             positions.push(p.as_vec3());

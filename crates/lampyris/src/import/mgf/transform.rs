@@ -107,7 +107,7 @@ impl Transform {
                     index
                 }
             };
-            total = total * power(run.matrix, times);
+            total *= power(run.matrix, times);
         }
         total
     }

@@ -1,0 +1,222 @@
+//! The arguments, as their help describes them.
+
+use crate::parse;
+use clap::{Args, Parser, Subcommand};
+use glam::Vec3;
+use lampyris::output::{Exposure, ToneCurve};
+use std::path::PathBuf;
+use std::time::Duration;
+
+const AFTER: &str = "\
+Exit codes: 0 done, 2 usage, 3 bad input, 4 output failed, 5 over a limit, 130 after Ctrl-C.
+Results go to standard output, everything else to standard error.";
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  lampyris render room.mgf
+      a picture room.png from a view that the program finds
+  lampyris render room.mgf -o room.exr -o room.png --size 1280x960 --time 60
+      the best picture of one minute, as light and as a display shows it
+  lampyris render room.mgf -o direct.exr --parts direct --batches 4 --aov --json
+      direct light alone with all further layers, and a report for a script
+  lampyris render room.mgf --eye 1,2,1.6 --target 4,2,1.2 --up 0,0,1 --fov 60
+
+The picture is in cd/m². OpenEXR holds just that; PNG shows it through --exposure and --tone, HDR through
+--exposure and, if given, --tone. Ctrl-C writes what is there, a second Ctrl-C ends at once.";
+
+const MEASURE_EXAMPLES: &str = "\
+Examples:
+  lampyris measure room.mgf --points desk.txt
+  lampyris measure room.mgf --points desk.txt --batches 64 --json
+
+Each line of the file is a meter: x y z nx ny nz [m; the normal of the side that measures]. Further columns, empty
+lines and lines that start with # are ignored. The error is half the 95 % interval, in lux.";
+
+/// Global illumination by virtual point lights.
+#[derive(Debug, Parser)]
+#[command(name = "lampyris", version, after_help = AFTER, subcommand_required = true, arg_required_else_help = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Render a picture of a scene
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render(Box<RenderArgs>),
+    /// Measure illuminance [lx] at points of a scene
+    #[command(after_help = MEASURE_EXAMPLES)]
+    Measure(MeasureArgs),
+    /// Say what is in a scene
+    Info(InfoArgs),
+    /// List parts, sequences, formats and tone curves
+    List(ListArgs),
+    /// Print completions for a shell
+    Completions(CompletionsArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RenderArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Picture to write, by extension .exr, .png or .hdr; may repeat [default: SCENE.png in the working directory]
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Width and height [pixels]
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = parse::size)]
+    pub(crate) size: (u32, u32),
+    #[command(flatten)]
+    pub(crate) view: ViewArgs,
+    #[command(flatten)]
+    pub(crate) estimate: EstimateArgs,
+    /// Exposure value of PNG and HDR: 100 cd/m² divided by 2^EV is white; auto finds it
+    #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
+    pub(crate) exposure: Exposure,
+    /// Tone curve: linear, reinhard, filmic [default: filmic in PNG, linear in HDR]
+    #[arg(long, value_name = "NAME", value_parser = parse::tone)]
+    pub(crate) tone: Option<ToneCurve>,
+    /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
+    #[arg(long)]
+    pub(crate) aov: bool,
+    /// Print a report as one JSON value
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+/// Where to look from; found by the program where neither scene nor arguments say.
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// Eye point
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, requires = "target", value_parser = parse::vector)]
+    pub(crate) eye: Option<Vec3>,
+    /// Point looked at
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, requires = "eye", value_parser = parse::vector)]
+    pub(crate) target: Option<Vec3>,
+    /// Upward direction
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = parse::vector)]
+    pub(crate) up: Option<Vec3>,
+    /// Vertical field of view
+    #[arg(long, value_name = "DEGREES", value_parser = parse::fov)]
+    pub(crate) fov: Option<f32>,
+    /// A camera of the scene
+    #[arg(long, value_name = "NAME", conflicts_with = "eye")]
+    pub(crate) camera: Option<String>,
+}
+
+/// How the light is estimated.
+#[derive(Debug, Args)]
+pub(crate) struct EstimateArgs {
+    /// Parts to add up: all, path, or names of `lampyris list` separated by commas
+    #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
+    pub(crate) parts: Vec<String>,
+    /// Light paths started in one batch [default: 64]
+    #[arg(long, value_name = "N")]
+    pub(crate) paths: Option<u32>,
+    /// Batches [default: 16, or as many as --time allows]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) batches: Option<u32>,
+    /// Eye samples a pixel in one batch [default: one a light path]
+    #[arg(long, value_name = "N")]
+    pub(crate) spp: Option<u32>,
+    /// Time from loading to the last batch; writing comes on top, and one batch is always done
+    #[arg(long, value_name = "SECONDS", value_parser = parse::seconds)]
+    pub(crate) time: Option<Duration>,
+    /// Another seed, another picture of the same mean [default: 0]
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u32>,
+    /// Threads [default: one a core]; the picture does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) threads: Option<u32>,
+    /// Leave out what clamping takes: faster, too dark in corners
+    #[arg(long)]
+    pub(crate) no_compensate: bool,
+    /// How particles thin out: fractional, paper, roulette [default: fractional]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) absorption: Option<String>,
+    /// Low-discrepancy sequence of the particles, a name of `lampyris list`
+    #[arg(long, value_name = "NAME")]
+    pub(crate) sequence: Option<String>,
+}
+
+/// Which scene, and what its file may ask for.
+#[derive(Debug, Args)]
+pub(crate) struct SceneArgs {
+    /// Scene file
+    #[arg(value_name = "SCENE")]
+    pub(crate) file: PathBuf,
+    /// Folder beneath which every file must lie [default: the scene's own]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) root: Option<PathBuf>,
+    /// Facets around a full circle of curved shapes, a multiple of 4 [default: 20]
+    #[arg(long, value_name = "N")]
+    pub(crate) circle: Option<u32>,
+    #[command(flatten)]
+    pub(crate) limits: LimitArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Limits on what a scene may ask for")]
+pub(crate) struct LimitArgs {
+    /// Bytes in one file
+    #[arg(long, value_name = "N")]
+    pub(crate) max_file_bytes: Option<u64>,
+    /// Triangles in the whole scene
+    #[arg(long, value_name = "N")]
+    pub(crate) max_triangles: Option<u64>,
+    /// Files included within each other
+    #[arg(long, value_name = "N")]
+    pub(crate) max_include_depth: Option<u64>,
+    /// Entities, repetitions counted
+    #[arg(long, value_name = "N")]
+    pub(crate) max_entities: Option<u64>,
+    /// Product of nested array sizes
+    #[arg(long, value_name = "N")]
+    pub(crate) max_array: Option<u64>,
+    /// Vertices of a polygon
+    #[arg(long, value_name = "N")]
+    pub(crate) max_polygon: Option<u64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MeasureArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// File of meters, one a line: x y z nx ny nz
+    #[arg(long, value_name = "FILE")]
+    pub(crate) points: PathBuf,
+    #[command(flatten)]
+    pub(crate) estimate: EstimateArgs,
+    /// Print an array of {x, y, z, nx, ny, nz, lux, direct, indirect, error}
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InfoArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Print one JSON value
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ListArgs {
+    /// Print one JSON value
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// bash, elvish, fish, powershell or zsh
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}

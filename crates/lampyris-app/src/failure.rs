@@ -1,0 +1,46 @@
+//! Why a command ends without success, and the exit code that tells a script so.
+
+use lampyris::Error;
+use std::fmt;
+use std::process::ExitCode;
+
+/// The code after Ctrl-C, by the custom of shells: 128 + SIGINT.
+pub(crate) const INTERRUPTED: u8 = 130;
+
+/// What went wrong, in one line.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The library says it.
+    Library(Error),
+    /// Standard output does not take what was asked for.
+    Output(std::io::Error),
+}
+
+impl Failure {
+    /// 2 usage, 3 bad input, 4 output failed, 5 over a limit.
+    pub(crate) fn code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Failure::Library(Error::BadSetting(_)) => 2,
+            Failure::Library(Error::BadInput { .. } | Error::CannotRead { .. }) => 3,
+            Failure::Library(Error::CannotWrite { .. }) | Failure::Output(_) => 4,
+            Failure::Library(Error::OverLimit { .. }) => 5,
+            Failure::Library(_) => 1,
+        })
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Failure {
+        Failure::Library(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            // One line, whatever a file's name holds.
+            Failure::Library(error) => write!(f, "{}", error.to_string().replace(['\n', '\r'], " ")),
+            Failure::Output(error) => write!(f, "cannot write to standard output: {error}"),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! How far, how exact, how long still: one line on standard error, where that is a terminal.
+
+use crate::cli::EstimateArgs;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Duration;
+
+/// The line.
+pub(crate) struct Progress(ProgressBar);
+
+impl Progress {
+    /// A line for the work that the arguments ask for; none if `quiet`.
+    pub(crate) fn new(args: &EstimateArgs, quiet: bool) -> Progress {
+        let bar = match (quiet, args.batches, args.time) {
+            (true, ..) => ProgressBar::hidden(),
+            (_, None, Some(_)) => ProgressBar::new_spinner(),
+            (_, batches, _) => ProgressBar::new(batches.unwrap_or(16).into()),
+        };
+        let template =
+            if bar.length().is_some() { "{bar:24} {pos}/{len} {msg}" } else { "{pos} batches {msg}" };
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        Progress(bar)
+    }
+
+    /// `done` batches are; `error` is half the relative 95 % interval of the picture's mean.
+    pub(crate) fn step(&self, done: u32, error: f32, left: Duration) {
+        self.0.set_position(done.into());
+        self.0.set_message(format!("{}, {} left", error_text(error), clock(left)));
+    }
+
+    /// Takes the line away.
+    pub(crate) fn end(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
+/// An error for people.
+pub(crate) fn error_text(error: f32) -> String {
+    if error.is_finite() { format!("error {:.2} %", error * 100.0) } else { "error not yet known".into() }
+}
+
+fn clock(time: Duration) -> String {
+    let seconds = time.as_secs();
+    format!("{}:{:02}", seconds / 60, seconds % 60)
+}

@@ -1,0 +1,210 @@
+//! `lampyris render`: from a scene file to pictures.
+
+use crate::cli::RenderArgs;
+use crate::failure::{Failure, INTERRUPTED};
+use crate::progress::{Progress, error_text};
+use crate::{estimate, memory, say, scene_file, viewing};
+use glam::Vec3;
+use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
+use lampyris::cpu::Cpu;
+use lampyris::eye::Eye;
+use lampyris::frame::Frame;
+use lampyris::output::{self, Display, Layer, Picture, Plane};
+use lampyris::scene::{Camera, View};
+use lampyris::{Error, Rgb};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Parts of the layer `direct`; all others are `indirect`.
+const DIRECT: [&str; 2] = ["emission", "direct"];
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Report {
+    scene: PathBuf,
+    outputs: Vec<PathBuf>,
+    size: (u32, u32),
+    view: Look,
+    seconds: Seconds,
+    rays: Rays,
+    vpls: u64,
+    batches: u32,
+    /// Half the 95 % interval of the picture's mean, relative to it.
+    error: f32,
+    exposure: f32,
+    peak_memory_bytes: Option<u64>,
+    non_finite: u64,
+    interrupted: bool,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Look {
+    eye: [f32; 3],
+    target: [f32; 3],
+    up: [f32; 3],
+    fov: f32,
+    found: bool,
+}
+
+/// Wall-clock time by phase [s].
+#[derive(Serialize)]
+struct Seconds {
+    load: f32,
+    view: f32,
+    build: f32,
+    render: f32,
+    write: f32,
+    total: f32,
+}
+
+/// Renders and writes.
+pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
+    let start = Instant::now();
+    let outputs = outputs(args)?;
+    let settings = Settings { auxiliary: args.aov, ..estimate::settings(&args.estimate)? };
+    let loaded = scene_file::load(&args.scene, args.quiet)?;
+    let loaded_at = Instant::now();
+
+    let (width, height) = args.size;
+    let chosen = viewing::choose(&args.view, &loaded.scene, width as f32 / height as f32)?;
+    if chosen.found && !args.quiet {
+        say::note(&format!("view: {}", viewing::arguments(&chosen.camera)));
+    }
+    let viewed_at = Instant::now();
+
+    let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
+    backend.begin(loaded.scene, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
+    let built_at = Instant::now();
+    let progress = Progress::new(&args.estimate, args.quiet);
+    let interrupted = estimate::run(&mut backend, &args.estimate, start, &progress)?;
+    let rendered_at = Instant::now();
+
+    let Statistics { rays, vpls, non_finite } = backend.statistics();
+    let frame = backend.frame()?;
+    let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
+    let display = Display { exposure: args.exposure, tone: args.tone };
+    let written = outputs.iter().map(|path| output::save(path, &picture, &display));
+    // Each file is tried: a full disk under one says nothing of the others.
+    let failed = written.fold(None, |failed, done| failed.or(done.err()));
+    if let Some(error) = failed {
+        return Err(error.into());
+    }
+    let error = frame.relative_error() * frame.student_factor();
+    let seconds = Seconds {
+        load: (loaded_at - start).as_secs_f32(),
+        view: (viewed_at - loaded_at).as_secs_f32(),
+        build: (built_at - viewed_at).as_secs_f32(),
+        render: (rendered_at - built_at).as_secs_f32(),
+        write: rendered_at.elapsed().as_secs_f32(),
+        total: start.elapsed().as_secs_f32(),
+    };
+    if !args.quiet {
+        let names: Vec<_> = outputs.iter().map(|p| p.display().to_string()).collect();
+        let (batches, total) = (frame.batches(), seconds.total);
+        say::note(&format!("{}: {batches} batches, {}, {total:.1} s", names.join(", "), error_text(error)));
+    }
+    if args.json {
+        let c = &chosen.camera;
+        say::json(&Report {
+            scene: args.scene.file.clone(),
+            outputs,
+            size: args.size,
+            view: Look {
+                eye: c.eye.into(),
+                target: c.target.into(),
+                up: c.up.into(),
+                fov: c.fov_y,
+                found: chosen.found,
+            },
+            seconds,
+            rays,
+            vpls,
+            batches: frame.batches(),
+            error,
+            exposure: args.exposure.ev(&picture.radiance),
+            peak_memory_bytes: memory::peak(),
+            non_finite,
+            interrupted,
+            warnings: loaded.warnings,
+        })?;
+    }
+    Ok(if interrupted { ExitCode::from(INTERRUPTED) } else { ExitCode::SUCCESS })
+}
+
+/// The files to write, found writable as far as that can be known before the work.
+fn outputs(args: &RenderArgs) -> Result<Vec<PathBuf>, Error> {
+    if args.output.is_empty() {
+        let stem = args.scene.file.file_stem().unwrap_or("picture".as_ref());
+        return Ok(vec![Path::new(stem).with_extension("png")]);
+    }
+    for path in &args.output {
+        output::format_of(path)?;
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !folder.is_dir() {
+            let reason = format!("there is no folder {}", folder.display());
+            return Err(Error::CannotWrite { file: path.clone(), reason });
+        }
+    }
+    Ok(args.output.clone())
+}
+
+fn picture(frame: &Frame, metadata: Vec<(String, String)>, aov: bool) -> Picture {
+    let mut picture = Picture::new(frame.width, frame.height, frame.mean());
+    picture.metadata = metadata;
+    if aov {
+        picture.layers = layers(frame);
+    }
+    picture
+}
+
+/// Further layers, as far as the parts rendered know them.
+fn layers(frame: &Frame) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    let mut layer = |name: &str, plane| layers.push(Layer { name: name.into(), plane });
+    // The path tracer does not tell direct from indirect.
+    if frame.part_names().all(|n| n != "path") {
+        let sum = |direct: bool| {
+            let mut sum = vec![Rgb::BLACK; frame.width as usize * frame.height as usize];
+            let names = frame.part_names().filter(|n| DIRECT.contains(n) == direct);
+            names
+                .filter_map(|n| frame.part(n))
+                .for_each(|p| sum.iter_mut().zip(p).for_each(|(s, v)| *s += v));
+            sum
+        };
+        layer("direct", Plane::Color(sum(true)));
+        layer("indirect", Plane::Color(sum(false)));
+    }
+    if let Some(a) = frame.auxiliary() {
+        let scale = 1.0 / a.samples.max(1) as f32;
+        let unit = |n: &Rgb| Vec3::new(n.r, n.g, n.b).normalize_or_zero();
+        layer("albedo", Plane::Color(a.albedo.iter().map(|c| *c * scale).collect()));
+        layer("normal", Plane::Normal(a.normal.iter().map(unit).collect()));
+        layer("depth", Plane::Depth(a.depth.iter().map(|d| d * scale).collect()));
+        layer("object", Plane::Id(a.object.clone()));
+    }
+    layers
+}
+
+/// What repeats the picture to the bit; nothing that differs from run to run.
+fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u32) -> Vec<(String, String)> {
+    let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
+    [
+        ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
+        ("scene", args.scene.file.display().to_string()),
+        ("view", viewing::arguments(camera)),
+        ("parts", settings.parts.join(",")),
+        ("paths", settings.paths.to_string()),
+        ("spp", settings.eye_passes().to_string()),
+        ("batches", batches.to_string()),
+        ("seed", settings.seed.to_string()),
+        ("sequence", settings.sequence.name().to_string()),
+        ("absorption", absorption.to_string()),
+        ("clamp", settings.clamp.to_string()),
+        ("randomisations", settings.replicates.to_string()),
+    ]
+    .map(|(key, value)| (key.to_string(), value))
+    .into()
+}

@@ -1,0 +1,60 @@
+//! Which camera: the arguments', the scene's, or one that is found.
+
+use crate::cli::ViewArgs;
+use crate::failure::Failure;
+use lampyris::Error;
+use lampyris::scene::{Camera, Scene, find_view, upward};
+use lampyris::world::World;
+
+/// A camera, and whether the program had to find it.
+pub(crate) struct Chosen {
+    pub(crate) camera: Camera,
+    pub(crate) found: bool,
+}
+
+/// Vertical field of view where nothing says otherwise [degrees].
+const FOV_Y: f32 = 60.0;
+
+/// The camera for a picture of that aspect (width / height).
+pub(crate) fn choose(args: &ViewArgs, scene: &Scene, aspect: f32) -> Result<Chosen, Failure> {
+    let (mut camera, found) = match (args.eye, args.target, &args.camera) {
+        (Some(eye), Some(target), _) => {
+            let up = args.up.unwrap_or_else(|| upward(scene));
+            (Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }, false)
+        }
+        (_, _, Some(name)) => (named(scene, name)?, false),
+        _ => match scene.cameras.first() {
+            Some(camera) => (camera.clone(), false),
+            None => {
+                let world = World::new(scene.clone());
+                (find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera, true)
+            }
+        },
+    };
+    camera.up = args.up.unwrap_or(camera.up);
+    camera.fov_y = args.fov.unwrap_or(camera.fov_y);
+    let axis = camera.target - camera.eye;
+    if axis.cross(camera.up).length_squared() <= 1e-12 * axis.length_squared() * camera.up.length_squared() {
+        let text =
+            "the view has no axis or no side: eye and target must differ, and up must not point along them";
+        return Err(Error::BadSetting(text.into()).into());
+    }
+    Ok(Chosen { camera, found })
+}
+
+fn named(scene: &Scene, name: &str) -> Result<Camera, Error> {
+    scene.cameras.iter().find(|c| c.name == name).cloned().ok_or_else(|| {
+        let known: Vec<_> = scene.cameras.iter().map(|c| c.name.as_str()).collect();
+        let known = if known.is_empty() { "none".into() } else { known.join(", ") };
+        Error::BadSetting(format!("no camera is called \"{name}\"; the scene has: {known}"))
+    })
+}
+
+/// The arguments that repeat a view.
+pub(crate) fn arguments(camera: &Camera) -> String {
+    let [e, t, u] = [camera.eye, camera.target, camera.up];
+    format!(
+        "--eye {},{},{} --target {},{},{} --up {},{},{} --fov {}",
+        e.x, e.y, e.z, t.x, t.y, t.z, u.x, u.y, u.z, camera.fov_y
+    )
+}
