@@ -268,7 +268,10 @@ fn colours_have_their_chromaticities() {
 #[test]
 #[ignore = "needs LAMPYRIS_SCENES"]
 fn measured_chips_have_the_reference_chromaticities() {
+    // The reference implementation averages each sample of a spectrum finer than 10 nm with the one before, which
+    // shifts it by 2.5 nm. These are therefore shifted likewise; unshifted they differ by up to 0.01.
     let spectra = std::fs::read_to_string(mgf_support::scenes().join("Materials/macbeth.mgf")).unwrap();
+    let shifted = spectra.replace("cspec 380 775", "cspec 382.5 777.5");
     for (chip, x, y) in [
         ("DarkSkin", 0.4620, 0.3769),
         ("LightSkin", 0.4108, 0.3542),
@@ -279,9 +282,9 @@ fn measured_chips_have_the_reference_chromaticities() {
         ("Green", 0.3007, 0.4822),
         ("Red", 0.5805, 0.3238),
     ] {
-        let have = chromaticity(&format!("{spectra}\nc {chip}"));
+        let have = chromaticity(&format!("{shifted}\nc {chip}"));
         eprintln!("{chip}: {have} against {x}, {y}");
-        assert!((have - Vec2::new(x, y)).abs().max_element() < 0.002, "{chip}: {have} against {x}, {y}");
+        assert!((have - Vec2::new(x, y)).abs().max_element() < 0.001, "{chip}: {have} against {x}, {y}");
     }
 }
 

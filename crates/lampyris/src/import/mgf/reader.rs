@@ -49,7 +49,9 @@ struct Level {
 pub(super) struct Reader<'o> {
     pub(super) options: &'o Options,
     root: Root,
-    cache: HashMap<PathBuf, Rc<[u8]>>,
+    /// Files already read, and where names in them led: arrays may include the same file again and again.
+    cache: HashMap<Rc<PathBuf>, Rc<[u8]>>,
+    resolved: HashMap<(Rc<PathBuf>, String), Rc<PathBuf>>,
     files: Vec<OpenFile>,
     levels: Vec<Level>,
     /// Number of the line being read.
@@ -97,6 +99,7 @@ impl<'o> Reader<'o> {
             options,
             root,
             cache: HashMap::new(),
+            resolved: HashMap::new(),
             files: Vec::new(),
             levels: Vec::new(),
             line: 0,
@@ -110,7 +113,7 @@ impl<'o> Reader<'o> {
             main: Rc::new(scene.to_path_buf()),
             folder,
         };
-        reader.open(file, false)?;
+        reader.open(Rc::new(file), false)?;
         Ok(reader)
     }
 
@@ -236,8 +239,16 @@ impl<'o> Reader<'o> {
                 .into());
         }
         let from = self.files.last().map(|f| f.path.clone()).unwrap_or_default();
-        let file = self.root.resolve(&from, name)?;
-        if self.files.iter().any(|open| *open.path == file) {
+        let key = (from, name.to_string());
+        let file = match self.resolved.get(&key) {
+            Some(file) => file.clone(),
+            None => {
+                let file = Rc::new(self.root.resolve(&key.0, name)?);
+                self.resolved.insert(key, file.clone());
+                file
+            }
+        };
+        if self.files.iter().any(|open| open.path == file) {
             return Err(format!("{} includes itself", quote(name)).into());
         }
         let placed = !words.is_empty();
@@ -248,7 +259,7 @@ impl<'o> Reader<'o> {
         Ok(())
     }
 
-    fn open(&mut self, path: PathBuf, placed: bool) -> Result<()> {
+    fn open(&mut self, path: Rc<PathBuf>, placed: bool) -> Result<()> {
         let bytes = match self.cache.get(&path) {
             Some(bytes) => bytes.clone(),
             None => {
@@ -262,14 +273,7 @@ impl<'o> Reader<'o> {
         if let Some(level) = self.levels.last_mut().filter(|_| placed) {
             level.block = place;
         }
-        self.files.push(OpenFile {
-            path: Rc::new(path),
-            bytes,
-            place,
-            levels,
-            objects: self.sink.depth(),
-            placed,
-        });
+        self.files.push(OpenFile { path, bytes, place, levels, objects: self.sink.depth(), placed });
         Ok(())
     }
 
