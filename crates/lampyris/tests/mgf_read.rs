@@ -283,7 +283,6 @@ fn measured_chips_have_the_reference_chromaticities() {
         ("Red", 0.5805, 0.3238),
     ] {
         let have = chromaticity(&format!("{shifted}\nc {chip}"));
-        eprintln!("{chip}: {have} against {x}, {y}");
         assert!((have - Vec2::new(x, y)).abs().max_element() < 0.001, "{chip}: {have} against {x}, {y}");
     }
 }
