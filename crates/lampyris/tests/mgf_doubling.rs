@@ -8,6 +8,9 @@ use std::time::{Duration, Instant};
 
 const SQUARE: &str = "v a =\np 0 0 0\nv b =\np 1 0 0\nv c =\np 1 1 0\nv d =\np 0 1 0\n";
 
+/// What it is, its size, and how to make it of a size.
+type Case<'a> = (&'a str, usize, &'a dyn Fn(usize) -> String);
+
 /// The best of five loads of each, taken in turn so that a busy machine slows both.
 fn costs(texts: [String; 2]) -> [Duration; 2] {
     let folder = Folder::new();
@@ -31,7 +34,7 @@ fn doubling_a_file_about_doubles_its_time() {
         let names: String = (0..n).rev().map(|k| format!(" {k}")).collect();
         format!("{points}v l =\np 0 -1 0\nv r =\np {n} -1 0\nf l r{names}\n")
     };
-    let cases: [(&str, usize, &dyn Fn(usize) -> String); 7] = [
+    let cases: [Case; 7] = [
         ("lines", 50_000, &|n| format!("{SQUARE}{}", "f a b c\n".repeat(n))),
         ("names", 25_000, &|n| (0..n).map(|k| format!("v v{k} =\nm m{k} =\nc c{k} =\n")).collect()),
         ("polygon", 30_000, &polygon),
