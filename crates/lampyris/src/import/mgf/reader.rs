@@ -19,6 +19,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+/// What is long costs as much as many, so that repetitions of it are bounded all the same: beside its line, an entity
+/// counts once for each so many bytes.
+const BYTES_PER_ENTITY: usize = 256;
+
 /// A file being read.
 struct OpenFile {
     path: Rc<PathBuf>,
@@ -132,8 +136,7 @@ impl<'o> Reader<'o> {
                 Ok(None) => self.end_of_file(consumed)?,
                 Ok(Some(line)) => {
                     self.line = line.number;
-                    // What is long costs as much as many: repetitions of it are bounded all the same.
-                    self.charge(1 + (consumed / STRICT_LINE_BYTES) as u64)?;
+                    self.charge(1 + (consumed / BYTES_PER_ENTITY) as u64)?;
                     if line.text.len() > STRICT_LINE_BYTES {
                         self.warn("a line longer than the 4096 characters that the format allows");
                     }
@@ -279,7 +282,7 @@ impl<'o> Reader<'o> {
 
     /// Ends what the file left open, then the file, or begins it again for the next instance.
     fn end_of_file(&mut self, consumed: usize) -> Result<()> {
-        self.charge((consumed / STRICT_LINE_BYTES) as u64)?;
+        self.charge((consumed / BYTES_PER_ENTITY) as u64)?;
         let Some(file) = self.files.last_mut() else { return Ok(()) };
         self.line = file.place.line;
         if self.levels.len() > file.levels + usize::from(file.placed) {
