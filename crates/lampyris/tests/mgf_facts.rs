@@ -106,7 +106,6 @@ fn published_scenes_have_the_reference_figures() {
     for want in FACTS {
         let loaded = read(want.file);
         let have = loaded.scene.summary();
-        eprintln!("{}: {have:?}\n  {}", want.file, loaded.warnings.join("\n  "));
         if have.triangles != want.triangles || have.materials != want.materials {
             faults.push(format!("{}: {} triangles, {} materials", want.file, have.triangles, have.materials));
         }

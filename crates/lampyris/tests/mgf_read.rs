@@ -66,11 +66,11 @@ fn chromaticity(text: &str) -> Vec2 {
 #[test]
 fn values_are_taken_by_copy_when_used() {
     let scene = clean(&format!(
-        "{SQUARE}c red =\ncxy .5 .3\nm paint =\nrd .5\nc red\ncxy .3333333333 .3333333333\nf a b c\nm paint\nrd .1\nf a c d\nv a\np 0 0 9\n"
+        "{SQUARE}c red =\ncxy .4 .33\nm paint =\nrd .5\nc red\ncxy .3333333333 .3333333333\nf a b c\nm paint\nrd .1\nf a c d\nv a\np 0 0 9\n"
     ));
     // The colour's edit came after `rd`, the material's after the first face, the vertex' after both.
     let rho = reflectances(&scene);
-    assert!((rho[0].luminance() - 0.5).abs() < 1e-6 && rho[0].r > 1.5 * rho[0].g);
+    assert!((rho[0].luminance() - 0.5).abs() < 1e-6 && rho[0].r > 1.2 * rho[0].g);
     assert!((rho[1].g - 0.1).abs() < 1e-6 && (rho[1].r - 0.1).abs() < 1e-6);
     assert!(middles(&scene).iter().all(|m| m.z == 0.0));
     assert_eq!(scene.materials.iter().filter(|m| m.name == "paint").count(), 2);
@@ -268,7 +268,10 @@ fn colours_have_their_chromaticities() {
 #[test]
 #[ignore = "needs LAMPYRIS_SCENES"]
 fn measured_chips_have_the_reference_chromaticities() {
+    // The reference implementation averages each sample of a spectrum finer than 10 nm with the one before, which
+    // shifts it by 2.5 nm. These are therefore shifted likewise; unshifted they differ by up to 0.01.
     let spectra = std::fs::read_to_string(mgf_support::scenes().join("Materials/macbeth.mgf")).unwrap();
+    let shifted = spectra.replace("cspec 380 775", "cspec 382.5 777.5");
     for (chip, x, y) in [
         ("DarkSkin", 0.4620, 0.3769),
         ("LightSkin", 0.4108, 0.3542),
@@ -279,9 +282,8 @@ fn measured_chips_have_the_reference_chromaticities() {
         ("Green", 0.3007, 0.4822),
         ("Red", 0.5805, 0.3238),
     ] {
-        let have = chromaticity(&format!("{spectra}\nc {chip}"));
-        eprintln!("{chip}: {have} against {x}, {y}");
-        assert!((have - Vec2::new(x, y)).abs().max_element() < 0.002, "{chip}: {have} against {x}, {y}");
+        let have = chromaticity(&format!("{shifted}\nc {chip}"));
+        assert!((have - Vec2::new(x, y)).abs().max_element() < 0.001, "{chip}: {have} against {x}, {y}");
     }
 }
 

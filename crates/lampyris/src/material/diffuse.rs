@@ -48,7 +48,9 @@ impl Diffuse {
     /// Density of `sample` [sr⁻¹].
     pub fn pdf(&self, class: Class, wo: Vec3, wi: Vec3) -> f32 {
         match (class, self.reflected_share()) {
-            (Class::Dull, Some(p)) => (if wo.z * wi.z > 0.0 { p } else { 1.0 - p }) * wi.z.abs() * FRAC_1_PI,
+            (Class::Dull, Some(p)) => {
+                (if wo.z * wi.z > 0.0 { p } else { 1.0 - p }) * wi.z.abs() * FRAC_1_PI
+            }
             _ => 0.0,
         }
     }

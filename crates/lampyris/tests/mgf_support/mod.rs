@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A folder that vanishes with its test.
-pub struct Folder(pub PathBuf);
+pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
-    pub fn new() -> Folder {
+    pub(crate) fn new() -> Folder {
         static NEXT: AtomicU32 = AtomicU32::new(0);
         let name = format!("lampyris-mgf-{}-{}", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
         let path = std::env::temp_dir().join(name);
@@ -18,14 +18,14 @@ impl Folder {
         Folder(path)
     }
 
-    pub fn write(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
+    pub(crate) fn write(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
         let path = self.0.join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(&path, text).unwrap();
         path
     }
 
-    pub fn load(&self, name: &str) -> Result<Loaded> {
+    pub(crate) fn load(&self, name: &str) -> Result<Loaded> {
         load(&self.0.join(name), &Options::default())
     }
 }
@@ -37,24 +37,24 @@ impl Drop for Folder {
 }
 
 /// Loads a text as the scene `main.mgf`.
-pub fn load_with(text: impl AsRef<[u8]>, options: &Options) -> Result<Loaded> {
+pub(crate) fn load_with(text: impl AsRef<[u8]>, options: &Options) -> Result<Loaded> {
     let folder = Folder::new();
     load(&folder.write("main.mgf", text), options)
 }
 
-pub fn load_text(text: impl AsRef<[u8]>) -> Result<Loaded> {
+pub(crate) fn load_text(text: impl AsRef<[u8]>) -> Result<Loaded> {
     load_with(text, &Options::default())
 }
 
 /// The loaded scene; it must give no warning.
-pub fn clean(text: &str) -> lampyris::scene::Scene {
+pub(crate) fn clean(text: &str) -> lampyris::scene::Scene {
     let loaded = load_text(text).unwrap();
     assert_eq!(loaded.warnings, Vec::<String>::new());
     loaded.scene
 }
 
 /// The line and the reason of what must be broken input.
-pub fn bad(text: &str) -> (String, String) {
+pub(crate) fn bad(text: &str) -> (String, String) {
     match load_text(text) {
         Err(Error::BadInput { place, reason, .. }) => (place, reason),
         other => panic!("{text:?}: {other:?}"),
@@ -62,7 +62,7 @@ pub fn bad(text: &str) -> (String, String) {
 }
 
 /// The folder of published scenes.
-pub fn scenes() -> PathBuf {
+pub(crate) fn scenes() -> PathBuf {
     Path::new(&std::env::var_os("LAMPYRIS_SCENES").expect("LAMPYRIS_SCENES names the folder of scenes"))
         .join("mgf")
 }

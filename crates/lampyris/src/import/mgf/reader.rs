@@ -19,6 +19,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+/// What is long costs as much as many, so that repetitions of it are bounded all the same: beside its line, an entity
+/// counts once for each so many bytes.
+const BYTES_PER_ENTITY: usize = 256;
+
 /// A file being read.
 struct OpenFile {
     path: Rc<PathBuf>,
@@ -49,7 +53,9 @@ struct Level {
 pub(super) struct Reader<'o> {
     pub(super) options: &'o Options,
     root: Root,
-    cache: HashMap<PathBuf, Rc<[u8]>>,
+    /// Files already read, and where names in them led: arrays may include the same file again and again.
+    cache: HashMap<Rc<PathBuf>, Rc<[u8]>>,
+    resolved: HashMap<(Rc<PathBuf>, String), Rc<PathBuf>>,
     files: Vec<OpenFile>,
     levels: Vec<Level>,
     /// Number of the line being read.
@@ -97,6 +103,7 @@ impl<'o> Reader<'o> {
             options,
             root,
             cache: HashMap::new(),
+            resolved: HashMap::new(),
             files: Vec::new(),
             levels: Vec::new(),
             line: 0,
@@ -110,7 +117,7 @@ impl<'o> Reader<'o> {
             main: Rc::new(scene.to_path_buf()),
             folder,
         };
-        reader.open(file, false)?;
+        reader.open(Rc::new(file), false)?;
         Ok(reader)
     }
 
@@ -129,8 +136,7 @@ impl<'o> Reader<'o> {
                 Ok(None) => self.end_of_file(consumed)?,
                 Ok(Some(line)) => {
                     self.line = line.number;
-                    // What is long costs as much as many: repetitions of it are bounded all the same.
-                    self.charge(1 + (consumed / STRICT_LINE_BYTES) as u64)?;
+                    self.charge(1 + (consumed / BYTES_PER_ENTITY) as u64)?;
                     if line.text.len() > STRICT_LINE_BYTES {
                         self.warn("a line longer than the 4096 characters that the format allows");
                     }
@@ -236,8 +242,16 @@ impl<'o> Reader<'o> {
                 .into());
         }
         let from = self.files.last().map(|f| f.path.clone()).unwrap_or_default();
-        let file = self.root.resolve(&from, name)?;
-        if self.files.iter().any(|open| *open.path == file) {
+        let key = (from, name.to_string());
+        let file = match self.resolved.get(&key) {
+            Some(file) => file.clone(),
+            None => {
+                let file = Rc::new(self.root.resolve(&key.0, name)?);
+                self.resolved.insert(key, file.clone());
+                file
+            }
+        };
+        if self.files.iter().any(|open| open.path == file) {
             return Err(format!("{} includes itself", quote(name)).into());
         }
         let placed = !words.is_empty();
@@ -248,7 +262,7 @@ impl<'o> Reader<'o> {
         Ok(())
     }
 
-    fn open(&mut self, path: PathBuf, placed: bool) -> Result<()> {
+    fn open(&mut self, path: Rc<PathBuf>, placed: bool) -> Result<()> {
         let bytes = match self.cache.get(&path) {
             Some(bytes) => bytes.clone(),
             None => {
@@ -262,20 +276,13 @@ impl<'o> Reader<'o> {
         if let Some(level) = self.levels.last_mut().filter(|_| placed) {
             level.block = place;
         }
-        self.files.push(OpenFile {
-            path: Rc::new(path),
-            bytes,
-            place,
-            levels,
-            objects: self.sink.depth(),
-            placed,
-        });
+        self.files.push(OpenFile { path, bytes, place, levels, objects: self.sink.depth(), placed });
         Ok(())
     }
 
     /// Ends what the file left open, then the file, or begins it again for the next instance.
     fn end_of_file(&mut self, consumed: usize) -> Result<()> {
-        self.charge((consumed / STRICT_LINE_BYTES) as u64)?;
+        self.charge((consumed / BYTES_PER_ENTITY) as u64)?;
         let Some(file) = self.files.last_mut() else { return Ok(()) };
         self.line = file.place.line;
         if self.levels.len() > file.levels + usize::from(file.placed) {
