@@ -132,7 +132,7 @@ impl SphereBins {
 }
 
 /// ∫ g over the rectangle at `origin` with `size`: Gauss's rule with 3 × 3 nodes against its own on four quarters,
-/// until they agree to 1e-7 of the unit integral or the quarters are 4⁻⁷ of the whole.
+/// until they agree to 1e-6 or the quarters are 4⁻⁷ of the whole.
 fn cubature(g: &impl Fn(f64, f64) -> f64, origin: [f64; 2], size: [f64; 2]) -> f64 {
     fn gauss(g: &impl Fn(f64, f64) -> f64, [x, y]: [f64; 2], [w, h]: [f64; 2]) -> f64 {
         // √0.6, the outer node.
@@ -160,8 +160,8 @@ fn cubature(g: &impl Fn(f64, f64) -> f64, origin: [f64; 2], size: [f64; 2]) -> f
         let corners = [[x, y], [x + half[0], y], [x, y + half[1]], [x + half[0], y + half[1]]];
         let parts = corners.map(|c| gauss(g, c, half));
         let sum: f64 = parts.iter().sum();
-        // The first divisions are always tried: a narrow peak may hide between the nodes.
-        if depth == 0 || (depth < 6 && (sum - whole).abs() < 1e-7) {
+        // The first division is always tried: a narrow peak may hide between the nodes.
+        if depth == 0 || (depth < 7 && (sum - whole).abs() < 1e-6) {
             return sum;
         }
         corners.iter().zip(parts).map(|(c, p)| refine(g, *c, half, p, depth - 1)).sum()
