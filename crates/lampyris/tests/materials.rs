@@ -190,7 +190,7 @@ fn white_furnace_of_sampled_weights_matches_albedo_and_quadrature() {
                     "{name} {class:?} at {degrees}°"
                 );
                 let albedo = bsdf.albedo(class, wo);
-                let slack = 0.045 * all.mean() + 4.0 * all.standard_error();
+                let slack = 0.05 * all.mean() + 4.0 * all.standard_error();
                 let error = (all.mean() - f64::from(albedo.r)).abs();
                 assert!(error <= slack, "{name} {class:?} at {degrees}°: {} not {}", all.mean(), albedo.r);
                 assert_eq!(albedo.is_black(), all.mean() == 0.0, "{name} {class:?}: black means empty");

@@ -1,5 +1,6 @@
 //! What the theory of low discrepancy promises, asserted of each sequence.
 
+use lampyris::sequence::radical_inverse::radical_inverse_f64;
 use lampyris::sequence::sobol::{self, sobol_owen, sobol_owen_pair};
 use lampyris::sequence::{
     Sequence, halton, hammersley, jittered_halton, jittered_hammersley, next_radical_inverse,
@@ -146,10 +147,10 @@ fn the_incremental_radical_inverse_follows_the_direct_one() {
         let (mut x, mut worst) = (0.0, 0.0f64);
         for i in 1..=100_000 {
             x = next_radical_inverse(base, x);
-            worst = worst.max((x - f64::from(radical_inverse(base, i))).abs());
+            worst = worst.max((x - radical_inverse_f64(base, i)).abs());
         }
-        // The direct value is itself rounded down by up to 6e-8.
-        assert!(worst < 1e-6, "base {base}: {worst:e}");
+        // Twenty times what base 3, the worst, was measured to accumulate.
+        assert!(worst < 4e-11, "base {base}: {worst:e}");
     }
 }
 

@@ -172,7 +172,7 @@ impl Gloss {
         pick_weight(self.value) * self.albedo(wo)
     }
 
-    /// Directional albedo for ρ_s = 1, within 4 % for α ≤ 1: at grazing angles it depends on cos θ/α alone, and
+    /// Directional albedo for ρ_s = 1, within 5 % for α ≤ 1: at grazing angles it depends on cos θ/α alone, and
     /// roughness takes the rest.
     fn albedo(self, wo: Vec3) -> f32 {
         /// The limit of small α at x = cos θ/(cos θ + α) = 0, 0.1 … 1, by quadrature of the lobe.
