@@ -1,6 +1,6 @@
 //! Lambert's law, in reflection and in transmission: f_r = ρ/π on the side of `wo`, τ/π on the other.
 
-use super::{Class, Scatter};
+use super::{Class, Scatter, same_side};
 use crate::color::Rgb;
 use crate::sampling::cosine_hemisphere;
 use glam::Vec3;
@@ -26,7 +26,7 @@ impl Diffuse {
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
         match class {
             Class::Sharp => Rgb::BLACK,
-            Class::Dull if wo.z * wi.z > 0.0 => self.reflectance * FRAC_1_PI,
+            Class::Dull if same_side(wo, wi) => self.reflectance * FRAC_1_PI,
             Class::Dull => self.transmittance * FRAC_1_PI,
         }
     }
@@ -48,9 +48,7 @@ impl Diffuse {
     /// Density of `sample` [sr⁻¹].
     pub fn pdf(&self, class: Class, wo: Vec3, wi: Vec3) -> f32 {
         match (class, self.reflected_share()) {
-            (Class::Dull, Some(p)) => {
-                (if wo.z * wi.z > 0.0 { p } else { 1.0 - p }) * wi.z.abs() * FRAC_1_PI
-            }
+            (Class::Dull, Some(p)) => (if same_side(wo, wi) { p } else { 1.0 - p }) * wi.z.abs() * FRAC_1_PI,
             _ => 0.0,
         }
     }

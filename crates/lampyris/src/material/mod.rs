@@ -84,6 +84,11 @@ pub enum Bsdf {
     Dielectric(Dielectric),
 }
 
+/// Whether the surface reflects between the two directions, rather than transmits; z = 0 counts as above.
+fn same_side(wo: Vec3, wi: Vec3) -> bool {
+    (wo.z >= 0.0) == (wi.z >= 0.0)
+}
+
 impl Bsdf {
     /// f_r of the lobes of `class` [sr⁻¹], without the cosine. Delta lobes evaluate to black.
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {

@@ -2,7 +2,7 @@
 //! and in transmission; α = 0 is a mirror, or a pane that light passes undisturbed.
 //! Isotropic, no Fresnel effect; rough transmission is the reflected lobe mirrored through the surface, no refraction.
 
-use super::{Class, Diffuse, SHARP_ALPHA, Scatter};
+use super::{Class, Diffuse, SHARP_ALPHA, Scatter, same_side};
 use crate::color::Rgb;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -129,7 +129,7 @@ impl Gloss {
 
     /// Whether the lobe sends light from `wi` to `wo` at all, and not as a delta.
     fn reaches(self, wo: Vec3, wi: Vec3) -> bool {
-        !self.is_delta() && (if self.transmits { wo.z * wi.z < 0.0 } else { wo.z * wi.z > 0.0 })
+        !self.is_delta() && self.transmits != same_side(wo, wi)
     }
 
     /// The direction about which the lobe lies.
@@ -172,7 +172,7 @@ impl Gloss {
         pick_weight(self.value) * self.albedo(wo)
     }
 
-    /// Directional albedo for ρ_s = 1, within 4 % for α ≤ 1: at grazing angles it depends on cos θ/α alone, and
+    /// Directional albedo for ρ_s = 1, within 5 % for α ≤ 1: at grazing angles it depends on cos θ/α alone, and
     /// roughness takes the rest.
     fn albedo(self, wo: Vec3) -> f32 {
         /// The limit of small α at x = cos θ/(cos θ + α) = 0, 0.1 … 1, by quadrature of the lobe.

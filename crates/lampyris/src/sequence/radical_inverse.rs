@@ -28,9 +28,9 @@ pub fn radical_inverse_f64(base: u32, i: u32) -> f64 {
 
 /// Φ_b(i + 1) from x = Φ_b(i), without knowing i [Keller97, Fig. 3; HW64].
 ///
-/// It is cheap but has state, and two limits. Each step adds a rounding error of about 1e-16, never corrected; and
-/// the 1e-10 by which a carry is recognised must stay well below the grid b^−m, so it fails beyond some 10⁹ points.
-/// Use it for a run of up to a million points; [`radical_inverse`] knows neither limit.
+/// It is cheap but has state, and two limits. Rounding accumulates and is never corrected: in base 3 the error is 2e-12
+/// after 10⁵ steps, 2e-11 after 10⁶, 2e-7 after 3·10⁷ (base 2 is exact). And the 1e-10 by which a carry is recognised
+/// must stay well below the grid b^−m, so it fails beyond some 10⁹ points. [`radical_inverse`] knows neither limit.
 pub fn next_radical_inverse(base: u32, x: f64) -> f64 {
     let inverse = 1.0 / f64::from(base);
     let room = 1.0 - x - 1e-10;
