@@ -178,6 +178,9 @@ mod tests {
         for (x, y) in [(0.5805, 0.3238), (0.2026, 0.1369), (0.3007, 0.4822), (0.7, 0.3)] {
             assert!((Rgb::from_xy_e(x, y, 0.25).luminance() - 0.25).abs() < 1e-6);
         }
-        assert!(Rgb::from_xy_e(0.7, 0.3, 1.0).g < 0.0, "outside the gamut a channel is negative, not clamped");
+        assert!(
+            Rgb::from_xy_e(0.7, 0.3, 1.0).g < 0.0,
+            "outside the gamut a channel is negative, not clamped"
+        );
     }
 }
