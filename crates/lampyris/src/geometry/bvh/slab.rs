@@ -46,6 +46,7 @@ impl Slab {
     }
 
     /// A direction almost in the plane of a slab counts as 2⁻⁶⁴ of the largest: within the widening of any box.
+    #[inline(always)]
     pub(super) fn inverse(component: f32, largest: f32) -> f32 {
         let least = largest * (1.0 / 18_446_744_073_709_551_616.0);
         1.0 / if component.abs() < least { least.copysign(component) } else { component }
