@@ -323,7 +323,7 @@ impl Block {
     }
 
     /// The block moved into the world, in the order of operations of [`Affine3A::transform_point3`].
-    #[inline]
+    #[inline(never)]
     fn placed(&self, place: &Placed) -> Block {
         let mut moved = self.clone();
         let m = place.transform.matrix3;

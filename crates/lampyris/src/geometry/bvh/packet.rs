@@ -29,6 +29,7 @@ pub(crate) struct Packet {
 }
 
 impl Packet {
+    #[expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
     #[inline(always)]
     fn new(origin: Vec3, directions: &[[f32; LANES]; 3], live: u16, bounds: &Bounds, kz: usize) -> Packet {
         let axes = [(kz + 1) % 3, (kz + 2) % 3, kz];

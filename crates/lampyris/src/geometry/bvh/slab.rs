@@ -28,17 +28,17 @@ pub(crate) struct Slab {
 
 impl Slab {
     /// `bounds` hold all boxes; `error` bounds what `origin` lacks in precision.
+    #[inline]
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Bounds, error: f32) -> Slab {
         let reach = (bounds.lower - origin).abs().max((bounds.upper - origin).abs()).max_element();
         let widening = reach * WIDENING + error;
+        // The sum is rounded too.
+        let apart = Vec3::splat(widening) + origin.abs() * f32::EPSILON;
         let d = direction.to_array();
         let kz = largest_axis(d);
         let inverse = d.map(|component| Slab::inverse(component, d[kz].abs()));
         Slab {
-            origin: [
-                origin.to_array().map(|o| (o + widening).next_up()),
-                origin.to_array().map(|o| (o - widening).next_down()),
-            ],
+            origin: [(origin + apart).to_array(), (origin - apart).to_array()],
             inverse,
             widening,
             slack: widening * inverse[kz].abs(),

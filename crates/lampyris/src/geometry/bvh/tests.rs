@@ -13,7 +13,13 @@ fn vector(state: &mut u32) -> Vec3 {
 }
 
 fn primitive(corners: [Vec3; 3], triangle: u32) -> Primitive {
-    Primitive { corners, instance: 0, triangle, culled: triangle % 5 == 0, mirrored: triangle % 7 == 0 }
+    Primitive {
+        corners,
+        instance: 0,
+        triangle,
+        culled: triangle.is_multiple_of(5),
+        mirrored: triangle.is_multiple_of(7),
+    }
 }
 
 /// Triangles of all sizes, slivers, needles, duplicates, coplanar grids.
@@ -55,6 +61,7 @@ fn target(soup: &[Primitive], state: &mut u32) -> Vec3 {
 }
 
 #[test]
+#[expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
 fn walks_agree_with_brute_force() {
     let mut state = 1;
     let (mut hits, mut blocked) = (0, 0);
