@@ -1,6 +1,8 @@
 //! What the tracer promises beside being watertight: no surface is hit by the rays that leave it, sharing a mesh
 //! changes no bit, one-sided triangles let rays pass from behind, and nothing bad in the input does harm.
 
+#![expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
+
 mod common;
 
 use common::{Rng, kernels, shapes, tracer};

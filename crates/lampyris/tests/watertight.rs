@@ -1,6 +1,8 @@
 //! No ray leaves a closed mesh [Woop et al. 2013]: aimed at edges and vertices, where tests that are not watertight
 //! leak most, and at random; at the origin, far from it, tiny and huge; by every kernel this machine has.
 
+#![expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
+
 mod common;
 
 use common::{Rng, Shape, kernels, shapes, tracer};

@@ -2,13 +2,10 @@
 //! that a tile sees. Sharing the origin is what makes a packet fast [Wald et al. 2002]; the answers are those of
 //! single rays, bit for bit.
 
-use super::bvh::{Best, End, Packet, PacketBest};
-use super::tracer::sound;
-use super::{Hit, Ray, Tracer};
+use super::Tracer;
+use super::bvh::{End, PacketBest, mask};
+use super::tracer::{sound_direction, sound_origin};
 use glam::Vec3;
-
-/// Fewer rays than this go one by one.
-const FEW: u32 = 3;
 
 /// Rays in a packet.
 pub const LANES: usize = 16;
@@ -46,24 +43,13 @@ impl Hits16 {
 impl Tracer {
     /// [`Tracer::closest`] for the lanes of `live`: half-lines from `origin` along `directions` (x, y, z of each).
     pub fn closest16(&self, origin: Vec3, directions: &[[f32; LANES]; 3], live: u16) -> Hits16 {
-        let ray = |i: usize| Ray::new(origin, lane(directions, i));
-        let live = lanes(live).filter(|&i| sound(&ray(i))).fold(0, |live, i| live | 1 << i);
+        let live = live & all_sound(origin, directions);
         let mut best = PacketBest::none();
-        Packet::split(origin, directions, live, &self.flat.bounds(), |packet| {
-            let group = packet.live;
-            let many = group.count_ones() >= FEW;
-            if !many || self.flat.closest16(self.kernel, packet, &mut best).is_none() {
-                for i in lanes(group) {
-                    let mut single = Best::none(f32::INFINITY);
-                    self.flat.closest(self.kernel, &self.prepare(&ray(i)), None, &mut single);
-                    best.set(i, &single);
-                }
-            }
-        });
+        self.flat.closest16(self.kernel, origin, directions, live, &mut best);
         if self.has_placed() {
             for i in lanes(live) {
                 let mut single = best.lane(i);
-                self.closest_placed(&self.prepare(&ray(i)), &mut single);
+                self.closest_placed(&self.flat.prepare(origin, lane(directions, i)), &mut single);
                 best.set(i, &single);
             }
         }
@@ -83,29 +69,26 @@ impl Tracer {
                 *d -= origin[axis];
             }
         }
-        let ray = |i: usize| Ray::between(origin, lane(targets, i));
-        let live = lanes(live).filter(|&i| sound(&ray(i))).fold(0, |live, i| live | 1 << i);
-        let mut blocked = 0;
-        Packet::split(origin, &directions, live, &self.flat.bounds(), |packet| {
-            let group = packet.live;
-            let many = group.count_ones() >= FEW;
-            let whole = if many { self.flat.occluded16(self.kernel, packet, targets) } else { None };
-            blocked |= whole.unwrap_or_else(|| {
-                let stops = |&i: &usize| {
-                    let end = End::Point(lane(targets, i));
-                    self.flat.occluded(self.kernel, &self.prepare(&ray(i)), end, None)
-                };
-                lanes(group).filter(stops).fold(0, |hit, i| hit | 1 << i)
-            });
-        });
+        let live = live & all_sound(origin, &directions);
+        let mut blocked = self.flat.occluded16(self.kernel, origin, &directions, targets, live);
         if self.has_placed() {
             for i in lanes(live & !blocked) {
+                let ray = self.flat.prepare(origin, lane(&directions, i));
                 let end = End::Point(lane(targets, i));
-                blocked |= u16::from(self.placed_stop(&self.prepare(&ray(i)), 1.0, end)) << i;
+                blocked |= u16::from(self.placed_stop(&ray, 1.0, end)) << i;
             }
         }
         blocked
     }
+}
+
+/// Lanes that a ray can follow, as for a single ray.
+fn all_sound(origin: Vec3, directions: &[[f32; LANES]; 3]) -> u16 {
+    if !sound_origin(origin) {
+        return 0;
+    }
+    let [x, y, z] = directions;
+    mask(|i| sound_direction(Vec3::new(x[i], y[i], z[i])))
 }
 
 /// Numbers of the bits set.

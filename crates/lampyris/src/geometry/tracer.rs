@@ -3,7 +3,7 @@
 //! neither materials nor light, and a change of the scene builds it anew.
 
 use super::bvh::{
-    Best, Bounds, End, Hierarchy, Kernel, Line, Placed, Plane, Prepared, Primitive, Shear, Slab, Tree, build,
+    Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Prepared, Primitive, Slab, Tree, build,
 };
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
@@ -135,7 +135,7 @@ impl Tracer {
             return None;
         }
         let mut best = Best::none(ray.t_max);
-        let prepared = self.prepare(ray);
+        let prepared = self.flat.prepare(ray.origin, ray.direction);
         self.flat.closest(self.kernel, &prepared, None, &mut best);
         self.closest_placed(&prepared, &mut best);
         best.hit()
@@ -168,7 +168,7 @@ impl Tracer {
     }
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
-        let prepared = self.prepare(ray);
+        let prepared = self.flat.prepare(ray.origin, ray.direction);
         self.flat.occluded(self.kernel, &prepared, end, None) || self.placed_stop(&prepared, ray.t_max, end)
     }
 
@@ -218,13 +218,6 @@ impl Tracer {
         self.kernel = kernel;
         kernel.available().then_some(self)
     }
-
-    pub(super) fn prepare(&self, ray: &Ray) -> Prepared {
-        Prepared {
-            line: Line { origin: ray.origin, direction: ray.direction, shear: Shear::new(ray.direction) },
-            slab: Slab::new(ray.origin, ray.direction, &self.flat.bounds(), 0.0),
-        }
-    }
 }
 
 impl Instance {
@@ -265,13 +258,19 @@ impl Instance {
     }
 }
 
-pub(super) fn sound(ray: &Ray) -> bool {
-    let length = ray.direction.abs().max_element();
-    ray.origin.is_finite()
-        && ray.direction.is_finite()
-        && ray.origin.abs().max_element() <= FARTHEST
-        && length >= f32::MIN_POSITIVE
-        && !ray.t_max.is_nan()
+fn sound(ray: &Ray) -> bool {
+    sound_origin(ray.origin) && sound_direction(ray.direction) && !ray.t_max.is_nan()
+}
+
+pub(super) fn sound_origin(origin: Vec3) -> bool {
+    origin.is_finite() && origin.abs().max_element() <= FARTHEST
+}
+
+/// The sum of the components lets no NaN pass.
+#[inline(always)]
+pub(super) fn sound_direction(direction: Vec3) -> bool {
+    let length = direction.x.abs() + direction.y.abs() + direction.z.abs();
+    (f32::MIN_POSITIVE..=f32::MAX).contains(&length)
 }
 
 fn usable(instance: &Placement, meshes: &[MeshGeometry<'_>]) -> bool {

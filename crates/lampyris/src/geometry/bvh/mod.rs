@@ -15,14 +15,14 @@ mod tests;
 mod triangle;
 
 pub(super) use build::{Bounds, build};
-pub(super) use packet::{Packet, PacketBest};
+pub(super) use packet::{PacketBest, mask};
 pub(super) use slab::Slab;
-pub(super) use triangle::{Plane, Shear};
+pub(super) use triangle::Plane;
 
 use super::Hit;
-use super::packet::LANES;
+use super::packet::{LANES, lane, lanes};
 use glam::{Affine3A, Vec3};
-use triangle::{Crossing, crossing, pierced};
+use triangle::{Crossing, Shear, crossing, pierced};
 
 /// Children of a node and triangles of a block.
 pub(super) const WIDTH: usize = 8;
@@ -225,30 +225,54 @@ impl Tree {
     }
 }
 
-/// Packets: `None` where the kernel has none, and rays go one by one.
+/// Sixteen rays of one origin; all directions of live lanes must be sound.
 impl Tree {
-    pub(super) fn closest16(&self, kernel: Kernel, packet: &Packet, best: &mut PacketBest) -> Option<()> {
+    pub(super) fn closest16(
+        &self,
+        kernel: Kernel,
+        origin: Vec3,
+        directions: &[[f32; LANES]; 3],
+        live: u16,
+        best: &mut PacketBest,
+    ) {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
-            Kernel::Avx512 => unsafe { simd_avx512::closest(self, packet, best) },
-            _ => return None,
+            Kernel::Avx512 => unsafe { simd_avx512::closest16(self, origin, directions, live, best) },
+            _ => {
+                for i in lanes(live) {
+                    let mut single = best.lane(i);
+                    self.closest(kernel, &self.prepare(origin, lane(directions, i)), None, &mut single);
+                    best.set(i, &single);
+                }
+            }
         }
-        Some(())
     }
 
+    /// Lanes whose segments to `targets` are blocked; `directions` lead there.
     pub(super) fn occluded16(
         &self,
         kernel: Kernel,
-        packet: &Packet,
+        origin: Vec3,
+        directions: &[[f32; LANES]; 3],
         targets: &[[f32; LANES]; 3],
-    ) -> Option<u16> {
+        live: u16,
+    ) -> u16 {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
-            Kernel::Avx512 => Some(unsafe { simd_avx512::occluded(self, packet, targets) }),
-            _ => None,
+            Kernel::Avx512 => unsafe { simd_avx512::occluded16(self, origin, directions, targets, live) },
+            _ => lanes(live).fold(0, |blocked, i| {
+                let ray = self.prepare(origin, lane(directions, i));
+                blocked | u16::from(self.occluded(kernel, &ray, End::Point(lane(targets, i)), None)) << i
+            }),
         }
+    }
+
+    /// A ray in the space of the tree.
+    pub(super) fn prepare(&self, origin: Vec3, direction: Vec3) -> Prepared {
+        let line = Line { origin, direction, shear: Shear::new(direction) };
+        Prepared { line, slab: Slab::new(origin, direction, &self.bounds(), 0.0) }
     }
 }
 
@@ -299,7 +323,7 @@ impl Block {
     }
 
     /// The block moved into the world, in the order of operations of [`Affine3A::transform_point3`].
-    #[inline]
+    #[inline(never)]
     fn placed(&self, place: &Placed) -> Block {
         let mut moved = self.clone();
         let m = place.transform.matrix3;

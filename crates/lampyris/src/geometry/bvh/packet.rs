@@ -3,9 +3,8 @@
 //! bits are those of single rays.
 
 use super::triangle::Crossing;
-use super::triangle::largest_axis;
 use super::{Best, Bounds, Line, Shear, Slab};
-use crate::geometry::packet::{LANES, lane, lanes};
+use crate::geometry::packet::{LANES, lane};
 use glam::Vec3;
 
 /// Rays of one origin; lanes outside `live` repeat a live one, so that bounds over all lanes are bounds of the packet.
@@ -30,13 +29,18 @@ pub(crate) struct Packet {
 }
 
 impl Packet {
+    #[expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
+    #[inline(always)]
     fn new(origin: Vec3, directions: &[[f32; LANES]; 3], live: u16, bounds: &Bounds, kz: usize) -> Packet {
         let axes = [(kz + 1) % 3, (kz + 2) % 3, kz];
         let any = live.trailing_zeros() as usize;
         let mut directions = *directions;
-        for axis in &mut directions {
-            for i in lanes(!live) {
-                axis[i] = axis[any];
+        if live != u16::MAX {
+            for axis in &mut directions {
+                let filling = axis[any];
+                for (i, d) in axis.iter_mut().enumerate() {
+                    *d = if live >> i & 1 == 1 { *d } else { filling };
+                }
             }
         }
         let slab = Slab::new(origin, lane(&directions, any), bounds, 0.0);
@@ -84,25 +88,44 @@ impl Packet {
     }
 
     /// Packets of lanes with one shear: mostly one, at most six. All directions must be sound.
-    pub(crate) fn split(
+    #[inline(always)]
+    pub(super) fn split(
         origin: Vec3,
         directions: &[[f32; LANES]; 3],
         live: u16,
         bounds: &Bounds,
         mut each: impl FnMut(&Packet),
     ) {
-        let mut groups = [[0u16; 2]; 3];
-        for i in lanes(live) {
-            let d = lane(directions, i).to_array();
-            let kz = largest_axis(d);
-            groups[kz][usize::from(d[kz] < 0.0)] |= 1 << i;
-        }
-        for (kz, signs) in groups.iter().enumerate() {
-            for group in signs.iter().filter(|group| **group != 0) {
-                each(&Packet::new(origin, directions, *group, bounds, kz));
-            }
+        let shears = shears(directions);
+        let mut rest = live;
+        while rest != 0 {
+            let shear = shears[rest.trailing_zeros() as usize];
+            let same = mask(|i| shears[i] == shear) & rest;
+            rest &= !same;
+            each(&Packet::new(origin, directions, same, bounds, shear as usize / 2));
         }
     }
+}
+
+/// 2·kz, plus one if the direction is negative along it; the axis as by [`super::triangle::largest_axis`].
+#[inline(always)]
+fn shears(directions: &[[f32; LANES]; 3]) -> [u32; LANES] {
+    let mut shears = [0; LANES];
+    let [x, y, z] = directions;
+    for i in 0..LANES {
+        let a = [x[i].abs(), y[i].abs(), z[i].abs()];
+        let first = a[0] >= a[1] && a[0] >= a[2];
+        let (axis, d) = if a[1] >= a[2] { (2, y[i]) } else { (4, z[i]) };
+        let (axis, d) = if first { (0, x[i]) } else { (axis, d) };
+        shears[i] = axis + u32::from(d < 0.0);
+    }
+    shears
+}
+
+/// The lanes for which something holds.
+#[inline(always)]
+pub(crate) fn mask(holds: impl Fn(usize) -> bool) -> u16 {
+    (0..LANES).fold(0, |mask, i| mask | u16::from(holds(i)) << i)
 }
 
 /// The best hits so far.

@@ -12,10 +12,15 @@ pub(super) fn closest(tree: &Tree, ray: &Prepared, placed: Option<&Placed>, best
     let lanes = Lanes::new(ray);
     walk(&tree.hierarchy, &ray.slab, best.t, |leaf| {
         let block = &tree.blocks[leaf as usize];
-        match placed {
-            Some(place) => offer(&block.placed(place), &lanes, ray, best),
-            None => offer(block, &lanes, ray, best),
-        }
+        let moved;
+        let block = match placed {
+            Some(place) => {
+                moved = block.placed(place);
+                &moved
+            }
+            None => block,
+        };
+        offer(block, &lanes, ray, best);
         best.t
     });
 }
@@ -30,10 +35,15 @@ pub(super) fn occluded(tree: &Tree, ray: &Prepared, end: End, placed: Option<&Pl
     let mut hit = false;
     walk(&tree.hierarchy, &ray.slab, t_max, |leaf| {
         let block = &tree.blocks[leaf as usize];
-        hit = match placed {
-            Some(place) => blocks(&block.placed(place), &lanes, ray, end),
-            None => blocks(block, &lanes, ray, end),
+        let moved;
+        let block = match placed {
+            Some(place) => {
+                moved = block.placed(place);
+                &moved
+            }
+            None => block,
         };
+        hit = blocks(block, &lanes, ray, end);
         if hit { f32::NEG_INFINITY } else { t_max }
     });
     hit
@@ -169,9 +179,10 @@ struct Tested {
     unsure: u32,
 }
 
+/// A copy for each of its two callers (`ANY` or closest hit), so that it is inlined: the registers stay where they are.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn test(block: &Block, lanes: &Lanes) -> Tested {
+fn test<const ANY: bool>(block: &Block, lanes: &Lanes) -> Tested {
     let p = |c: usize, k: usize| _mm256_sub_ps(load(&block.corners[3 * c + lanes.axes[k]]), lanes.origin[k]);
     let z = [p(0, 2), p(1, 2), p(2, 2)];
     let x = [0, 1, 2].map(|c| _mm256_sub_ps(p(c, 0), _mm256_mul_ps(lanes.sx, z[c])));
@@ -205,7 +216,7 @@ fn test(block: &Block, lanes: &Lanes) -> Tested {
 #[inline]
 #[target_feature(enable = "avx2")]
 fn offer(block: &Block, lanes: &Lanes, ray: &Prepared, best: &mut Best) {
-    let tested = test(block, lanes);
+    let tested = test::<false>(block, lanes);
     if tested.pierced != 0 {
         let (t, u, v) = distances(&tested, ray.line.shear.sz);
         let near = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(t, _mm256_set1_ps(best.t))) as u32;
@@ -247,7 +258,7 @@ fn distances(tested: &Tested, sz: f32) -> (__m256, __m256, __m256) {
 #[inline]
 #[target_feature(enable = "avx2")]
 fn blocks(block: &Block, lanes: &Lanes, ray: &Prepared, end: End) -> bool {
-    let tested = test(block, lanes);
+    let tested = test::<true>(block, lanes);
     if tested.pierced | tested.unsure == 0 {
         return false;
     }

@@ -5,14 +5,55 @@
 
 use super::packet::{Packet, PacketBest};
 use super::triangle::{Crossing, Plane, TINY, in_front, separates};
-use super::{Block, End, Hierarchy, LEAF, STACK, Tree, WIDTH};
+use super::{Block, End, Hierarchy, Kernel, LEAF, STACK, Tree, WIDTH};
 use crate::geometry::packet::{LANES, lane, lanes};
+use glam::Vec3;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 
-/// Lanes of `packet` whose segments to `targets` are blocked.
+/// Fewer rays than this go one by one.
+const FEW: u32 = 3;
+
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-pub(super) fn occluded(tree: &Tree, packet: &Packet, targets: &[[f32; LANES]; 3]) -> u16 {
+pub(super) fn occluded16(
+    tree: &Tree,
+    origin: Vec3,
+    directions: &[[f32; LANES]; 3],
+    targets: &[[f32; LANES]; 3],
+    live: u16,
+) -> u16 {
+    let mut blocked = 0;
+    Packet::split(origin, directions, live, &tree.bounds(), |packet| {
+        blocked |= if packet.live.count_ones() >= FEW {
+            occluded(tree, packet, targets)
+        } else {
+            tree.occluded16(Kernel::Avx2, origin, directions, targets, packet.live)
+        };
+    });
+    blocked
+}
+
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+pub(super) fn closest16(
+    tree: &Tree,
+    origin: Vec3,
+    directions: &[[f32; LANES]; 3],
+    live: u16,
+    best: &mut PacketBest,
+) {
+    Packet::split(origin, directions, live, &tree.bounds(), |packet| {
+        if packet.live.count_ones() >= FEW {
+            closest(tree, packet, best);
+        } else {
+            tree.closest16(Kernel::Avx2, origin, directions, packet.live, best);
+        }
+    });
+}
+
+/// Lanes of `packet` whose segments to `targets` are blocked.
+#[inline]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+fn occluded(tree: &Tree, packet: &Packet, targets: &[[f32; LANES]; 3]) -> u16 {
     let kz = packet.axes[2];
     let start = _mm512_set1_ps(packet.origin[kz]);
     let end = _mm512_abs_ps(_mm512_sub_ps(load16(&targets[kz]), start));
@@ -51,8 +92,9 @@ pub(super) fn occluded(tree: &Tree, packet: &Packet, targets: &[[f32; LANES]; 3]
 }
 
 /// Offers what the lanes of `packet` meet in the tree.
+#[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-pub(super) fn closest(tree: &Tree, packet: &Packet, best: &mut PacketBest) {
+fn closest(tree: &Tree, packet: &Packet, best: &mut PacketBest) {
     let beam = Beam::new(packet, f32::INFINITY);
     let slack = load16(&packet.slack);
     let mut alive = packet.live;

@@ -28,17 +28,17 @@ pub(crate) struct Slab {
 
 impl Slab {
     /// `bounds` hold all boxes; `error` bounds what `origin` lacks in precision.
+    #[inline]
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Bounds, error: f32) -> Slab {
         let reach = (bounds.lower - origin).abs().max((bounds.upper - origin).abs()).max_element();
         let widening = reach * WIDENING + error;
+        // The sum is rounded too.
+        let apart = Vec3::splat(widening) + origin.abs() * f32::EPSILON;
         let d = direction.to_array();
         let kz = largest_axis(d);
         let inverse = d.map(|component| Slab::inverse(component, d[kz].abs()));
         Slab {
-            origin: [
-                origin.to_array().map(|o| (o + widening).next_up()),
-                origin.to_array().map(|o| (o - widening).next_down()),
-            ],
+            origin: [(origin + apart).to_array(), (origin - apart).to_array()],
             inverse,
             widening,
             slack: widening * inverse[kz].abs(),
@@ -46,6 +46,7 @@ impl Slab {
     }
 
     /// A direction almost in the plane of a slab counts as 2⁻⁶⁴ of the largest: within the widening of any box.
+    #[inline(always)]
     pub(super) fn inverse(component: f32, largest: f32) -> f32 {
         let least = largest * (1.0 / 18_446_744_073_709_551_616.0);
         1.0 / if component.abs() < least { least.copysign(component) } else { component }

@@ -13,7 +13,13 @@ fn vector(state: &mut u32) -> Vec3 {
 }
 
 fn primitive(corners: [Vec3; 3], triangle: u32) -> Primitive {
-    Primitive { corners, instance: 0, triangle, culled: triangle % 5 == 0, mirrored: triangle % 7 == 0 }
+    Primitive {
+        corners,
+        instance: 0,
+        triangle,
+        culled: triangle.is_multiple_of(5),
+        mirrored: triangle.is_multiple_of(7),
+    }
 }
 
 /// Triangles of all sizes, slivers, needles, duplicates, coplanar grids.
@@ -42,11 +48,6 @@ fn kernels() -> impl Iterator<Item = Kernel> {
     [Kernel::Portable, Kernel::Avx2, Kernel::Avx512].into_iter().filter(|k| k.available())
 }
 
-fn prepared(tree: &Tree, origin: Vec3, direction: Vec3) -> Prepared {
-    let line = Line { origin, direction, shear: Shear::new(direction) };
-    Prepared { line, slab: Slab::new(origin, direction, &tree.bounds(), 0.0) }
-}
-
 /// Corners, points of edges and of faces, grid points, anything.
 fn target(soup: &[Primitive], state: &mut u32) -> Vec3 {
     let [a, b, c] = soup[(random(state) * soup.len() as f32) as usize].corners;
@@ -60,6 +61,7 @@ fn target(soup: &[Primitive], state: &mut u32) -> Vec3 {
 }
 
 #[test]
+#[expect(clippy::needless_range_loop, reason = "lanes run through several arrays")]
 fn walks_agree_with_brute_force() {
     let mut state = 1;
     let (mut hits, mut blocked) = (0, 0);
@@ -88,7 +90,7 @@ fn walks_agree_with_brute_force() {
             let mut expected = [None; LANES];
             let mut stopped = 0u16;
             for i in (0..LANES).filter(|i| live >> i & 1 == 1) {
-                let ray = prepared(&tree, origin, lane(i) - origin);
+                let ray = tree.prepare(origin, lane(i) - origin);
                 let mut best = Best::none(f32::INFINITY);
                 for block in &tree.blocks {
                     for k in 0..WIDTH {
@@ -116,18 +118,16 @@ fn walks_agree_with_brute_force() {
             }
             blocked += stopped.count_ones();
             for kernel in kernels() {
-                let (mut best, mut occluded) = (PacketBest::none(), 0);
-                let mut packets = true;
-                Packet::split(origin, &directions, live, &tree.bounds(), |packet| {
-                    packets &= tree.closest16(kernel, packet, &mut best).is_some();
-                    occluded |= tree.occluded16(kernel, packet, &targets).unwrap_or_default();
-                });
-                if packets && live != 0 {
-                    for (i, expected) in expected.iter().enumerate() {
-                        assert_eq!(best.lane(i).hit(), *expected, "{kernel:?}");
-                    }
-                    assert_eq!(occluded, stopped, "{kernel:?}");
+                let mut best = PacketBest::none();
+                tree.closest16(kernel, origin, &directions, live, &mut best);
+                for (i, expected) in expected.iter().enumerate() {
+                    assert_eq!(best.lane(i).hit(), *expected, "{kernel:?}");
                 }
+                assert_eq!(
+                    tree.occluded16(kernel, origin, &directions, &targets, live),
+                    stopped,
+                    "{kernel:?}"
+                );
             }
         }
     }
