@@ -245,8 +245,8 @@ impl<'w> Packet<'w> {
             let ray = Ray::new(view.eye(), Vec3::new(directions[0][k], directions[1][k], directions[2][k]));
             let first = hits.get(k).map(|hit| world.surface(ray.direction, &hit));
             self.first[k] = first.as_ref().map(|s| First {
-                albedo: s.bsdf.albedo(Class::Sharp, Vec3::Z) + s.bsdf.albedo(Class::Dull, Vec3::Z),
-                normal: s.frame.n,
+                albedo: s.finish.sharp + s.finish.dull,
+                normal: s.shading,
                 depth: (s.position - view.eye()).length(),
                 instance: s.instance,
             });
@@ -258,13 +258,13 @@ impl<'w> Packet<'w> {
 
     fn set(&mut self, k: usize, surface: Surface<'w>, throughput: Rgb) {
         self.live |= 1 << k;
-        if surface.bsdf.lambertian().is_some() {
+        if surface.finish.lambertian.is_some() {
             self.lambertian |= 1 << k;
         }
         let p = surface.spawn(surface.wo);
         for axis in 0..3 {
             self.position[axis][k] = p[axis];
-            self.shading[axis][k] = surface.frame.n[axis];
+            self.shading[axis][k] = surface.shading[axis];
             self.geometric[axis][k] = surface.normal[axis];
         }
         self.visible[k] = Some(Visible { surface, throughput });
@@ -290,18 +290,17 @@ fn follow<'w>(
             *emission += throughput * glow.radiance * balance(pdf, glow.pdf);
         });
         let surface = met?;
-        if !surface.emission.is_black() {
+        if !surface.emission().is_black() {
             let weight =
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
-            *emission += throughput * surface.emission * weight;
+            *emission += throughput * surface.emission() * weight;
         }
-        let albedo = |class| surface.bsdf.albedo(class, Vec3::Z).max_channel().max(0.0);
-        let (sharp, dull) = (albedo(Class::Sharp), albedo(Class::Dull));
+        let (sharp, dull) = surface.finish.weights();
         if sharp + dull <= 0.0 {
             return None;
         }
         let go_on = sharp / (sharp + dull);
-        if numbers.one(ledger::class(vertex)) >= go_on {
+        if go_on == 0.0 || numbers.one(ledger::class(vertex)) >= go_on {
             return Some(Visible { surface, throughput: throughput * (1.0 / (1.0 - go_on)) });
         }
         throughput *= 1.0 / go_on;

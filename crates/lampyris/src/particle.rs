@@ -249,8 +249,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         let Some(y) = world.closest(&ray) else { break };
         deposit(&y, flux * (share / expected as f32), plan.bound, &mut vertices);
 
-        let (sharp, dull) = (y.bsdf.albedo(Class::Sharp, Vec3::Z), y.bsdf.albedo(Class::Dull, Vec3::Z));
-        let (s, d) = (sharp.max_channel().max(0.0), dull.max_channel().max(0.0));
+        let (s, d) = y.finish.weights();
         if s + d <= 0.0 {
             break;
         }
@@ -287,17 +286,19 @@ fn deposit<'w>(y: &Surface<'w>, flux: Rgb, bound: f32, vertices: &mut Vec<Vpl<'w
             vertices.push(Vpl { position, shine: Shine::Lambert(normal), intensity, bound, gloss });
         }
     };
-    match y.bsdf {
+    match &y.finish.bsdf {
         // I_k = ρ Φ / π: radiance × area toward the normal [Keller97, eq. 2, with π f_d = ρ_d].
         Bsdf::Diffuse(m) => {
             leave(y.normal, flux * m.reflectance * FRAC_1_PI, None);
             leave(-y.normal, flux * m.transmittance * FRAC_1_PI, None);
         }
-        other => match other.lambertian() {
+        other => match y.finish.lambertian {
             Some(rho) => leave(y.normal, flux * rho * FRAC_1_PI, None),
             None => {
                 leave(y.normal, flux, Some(*y));
-                leave(-y.normal, flux, Some(*y));
+                if other.transmits() {
+                    leave(-y.normal, flux, Some(*y));
+                }
             }
         },
     }

@@ -1,14 +1,18 @@
 //! The scene made traceable: hierarchy, emitters with their fixed shares, and the few figures that settings need.
 //! It changes only between frames and is shared, read-only, by everything that shades.
 
+mod facet;
+mod finish;
 mod surface;
 
+pub use facet::{Facet, Facets};
+pub use finish::Finish;
 pub use surface::Surface;
 
 use crate::color::Rgb;
-use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Tracer};
+use crate::geometry::{Hit, MeshGeometry, Placement, Ray, SurfacePoint, Tracer};
 use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle};
-use crate::material::{Class, Sides};
+use crate::material::Sides;
 use crate::scene::Scene;
 use crate::sequence;
 use glam::Vec3;
@@ -21,6 +25,8 @@ const LEAST_SIDE: f32 = 0.05;
 pub struct World {
     scene: Scene,
     tracer: Tracer,
+    facets: Facets,
+    finishes: Vec<Finish>,
     emitters: Vec<Emitter>,
     /// p_ℓ: the share of the light paths that starts at each emitter; sums to 1.
     shares: Vec<f32>,
@@ -73,6 +79,8 @@ impl World {
         let tracer = Tracer::build(&meshes, &placements);
         let mut world = World {
             tracer,
+            facets: Facets::new(&scene),
+            finishes: scene.materials.iter().map(Finish::from).collect(),
             emitters: scene.lights.iter().map(Emitter::from).collect(),
             shares: Vec::new(),
             cumulative: Vec::new(),
@@ -133,7 +141,7 @@ impl World {
 
     /// True if any surface has sharp lobes: without them there are no caustics.
     pub fn has_sharp_surfaces(&self) -> bool {
-        self.scene.materials.iter().any(|m| !m.bsdf.albedo(Class::Sharp, Vec3::Z).is_black())
+        self.finishes.iter().any(|f| !f.sharp.is_black())
     }
 
     /// The first surface on a ray.
@@ -148,7 +156,25 @@ impl World {
 
     /// The surface at a hit, seen along `direction` [any length].
     pub fn surface(&self, direction: Vec3, hit: &Hit) -> Surface<'_> {
-        Surface::new(&self.scene, direction, hit)
+        let facet = self.facets.get(hit.instance, hit.triangle);
+        let finish = &self.finishes[facet.material as usize];
+        let wo = -direction.normalize();
+        // A triangle without area is never hit; a hit edge-on may find either side.
+        let front = wo.dot(facet.normal) >= 0.0;
+        let side = if front { 1.0 } else { -1.0 };
+        let shading = self.facets.shading_normal(facet, hit.u, hit.v);
+        let point = SurfacePoint::new(&facet.corners, hit.u, hit.v);
+        Surface {
+            position: point.position,
+            error: point.error,
+            normal: facet.normal * side,
+            shading: if finish.bsdf.is_solid_interface() { shading } else { shading * side },
+            wo,
+            finish,
+            front,
+            instance: hit.instance,
+            material: facet.material,
+        }
     }
 
     /// True where nothing blocks the way from `from` to a light.
@@ -197,7 +223,8 @@ impl World {
     fn measure_surfaces(&mut self) {
         let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (mut area, mut reflected) = (0.0_f64, 0.0_f64);
-        for (instance, triangle, [a, b, c]) in triangles(&self.scene) {
+        for (_, facet) in self.facets.iter() {
+            let [a, b, c] = facet.corners;
             let a2 = f64::from((b - a).cross(c - a).length());
             if !a2.is_finite() {
                 continue;
@@ -205,9 +232,8 @@ impl World {
             for p in [a, b, c] {
                 (lo, hi) = (lo.min(p), hi.max(p));
             }
-            let mesh = &self.scene.meshes[self.scene.instances[instance].mesh as usize];
-            let bsdf = &self.scene.materials[mesh.materials[triangle] as usize].bsdf;
-            let rho = bsdf.albedo(Class::Sharp, Vec3::Z) + bsdf.albedo(Class::Dull, Vec3::Z);
+            let finish = &self.finishes[facet.material as usize];
+            let rho = finish.sharp + finish.dull;
             area += 0.5 * a2;
             reflected += 0.5 * a2 * f64::from(rho.luminance().clamp(0.0, 1.0));
         }
@@ -228,32 +254,23 @@ impl World {
         // Grouped in order of first appearance: emitters are numbered by the scene alone.
         let mut order: Vec<(u32, u32)> = Vec::new();
         let mut groups: HashMap<(u32, u32), Vec<GlowingTriangle>> = HashMap::new();
-        for (instance, triangle, vertices) in triangles(&self.scene) {
-            let mesh = &self.scene.meshes[self.scene.instances[instance].mesh as usize];
-            let material = mesh.materials[triangle];
-            if self.scene.materials[material as usize].emission.is_black() {
+        for (instance, facet) in self.facets.iter() {
+            if self.finishes[facet.material as usize].emission.is_black() || facet.normal == Vec3::ZERO {
                 continue;
             }
-            let [a, b, c] = vertices;
-            let normal = (b - a).cross(c - a).normalize_or_zero();
-            if normal == Vec3::ZERO {
-                continue;
-            }
-            let mirrored = self.scene.instances[instance].transform.matrix3.determinant() < 0.0;
-            let normal = if mirrored { -normal } else { normal };
-            let key = (instance as u32, material);
+            let key = (instance, facet.material);
             groups
                 .entry(key)
                 .or_insert_with(|| {
                     order.push(key);
                     Vec::new()
                 })
-                .push(GlowingTriangle { vertices, normal });
+                .push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
         }
         for key in order {
-            let material = &self.scene.materials[key.1 as usize];
+            let finish = &self.finishes[key.1 as usize];
             let front = groups.remove(&key).unwrap_or_default();
-            let both = material.sides == Sides::Both;
+            let (radiance, both) = (finish.emission, finish.both_sides_glow);
             let back =
                 front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
             let mut number = |side: Option<EmissiveSide>| {
@@ -262,10 +279,8 @@ impl World {
                     self.emitters.len() as u32 - 1
                 })
             };
-            let numbers = [
-                number(EmissiveSide::new(material.emission, front)),
-                number(EmissiveSide::new(material.emission, back)),
-            ];
+            let numbers =
+                [number(EmissiveSide::new(radiance, front)), number(EmissiveSide::new(radiance, back))];
             self.sides.insert(key, numbers);
         }
     }
@@ -306,14 +321,4 @@ impl World {
         };
         (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
     }
-}
-
-/// Every triangle of the scene in world space: (instance, triangle, vertices).
-fn triangles(scene: &Scene) -> impl Iterator<Item = (usize, usize, [Vec3; 3])> {
-    scene.instances.iter().enumerate().flat_map(move |(i, instance)| {
-        let mesh = &scene.meshes[instance.mesh as usize];
-        mesh.triangles.iter().enumerate().map(move |(k, t)| {
-            (i, k, t.map(|v| instance.transform.transform_point3(mesh.positions[v as usize])))
-        })
-    })
 }

@@ -2,9 +2,9 @@
 //! that a tile sees. Sharing the origin is what makes a packet fast [Wald et al. 2002]; the answers are those of
 //! single rays, bit for bit.
 
-use super::Tracer;
 use super::bvh::{End, PacketBest, mask};
 use super::tracer::{sound_direction, sound_origin};
+use super::{Hit, Tracer};
 use glam::Vec3;
 
 /// Rays in a packet.

@@ -58,7 +58,7 @@ fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays:
         let Some(y) = world.closest(&ray) else { break };
         let distance2 = (y.position - x.position).length_squared();
         let g = x.cosine(s.wi) * y.normal.dot(y.wo).abs() / distance2;
-        if g <= b || y.bsdf.albedo(Class::Dull, y.wo).is_black() {
+        if g <= b || y.finish.dull.is_black() {
             break;
         }
         throughput *= s.weight * (1.0 - b / g);

@@ -71,11 +71,11 @@ fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Ray
             sum += glow.radiance * taken(glow.emitter, glow.distance, glow.cosine);
         }
     });
-    if let Some(y) = met.filter(|y| !y.emission.is_black())
+    if let Some(y) = met.filter(|y| !y.emission().is_black())
         && let Some(k) = world.emitter_of(&y)
     {
         let distance = (y.position - x.position).length();
-        sum += y.emission * taken(k, distance, y.normal.dot(y.wo).abs());
+        sum += y.emission() * taken(k, distance, y.normal.dot(y.wo).abs());
     }
     sum * s.weight
 }

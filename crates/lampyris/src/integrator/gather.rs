@@ -57,7 +57,7 @@ fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
 pub fn from_light(world: &World, x: &Surface<'_>, light: &Vpl<'_>, rays: &mut u64) -> Rgb {
     let wi = direction(light, x.position);
     let f = x.eval(Class::Dull, x.wo, wi);
-    let g = geometry_term(light, x.position, x.frame.n);
+    let g = geometry_term(light, x.position, x.shading);
     if f.is_black() || !(g > 0.0) {
         return Rgb::BLACK;
     }
@@ -115,7 +115,7 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
         }
     }
     for k in (0..LANES).filter(|k| p.lambertian & (1 << k) != 0) {
-        if let Some(rho) = p.visible[k].as_ref().and_then(|x| x.surface.bsdf.lambertian()) {
+        if let Some(rho) = p.visible[k].as_ref().and_then(|x| x.surface.finish.lambertian) {
             radiance[k] += rho * irradiance[k] * FRAC_1_PI;
         }
     }

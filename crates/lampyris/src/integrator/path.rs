@@ -11,7 +11,6 @@ use crate::geometry::Ray;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::world::{Surface, World};
-use glam::Vec3;
 
 /// Vertices after which a path is continued by roulette.
 const CERTAIN_VERTICES: u32 = 4;
@@ -143,7 +142,8 @@ pub(super) fn trace(
         let Some(x) = surface else { break };
         let allowed = |class| match (scope, vertex, class) {
             (Scope::Caustics, 0, Class::Sharp) | (Scope::Caustics, 1, Class::Dull) => 0.0,
-            _ => x.bsdf.albedo(class, Vec3::Z).max_channel().max(0.0),
+            (_, _, Class::Sharp) => x.finish.weights().0,
+            (_, _, Class::Dull) => x.finish.weights().1,
         };
         let (sharp, dull) = (allowed(Class::Sharp), allowed(Class::Dull));
         if sharp + dull <= 0.0 {
@@ -194,9 +194,9 @@ fn arrive<'w>(
     world.glows(ray.origin, ray.direction, t_max, |glow| {
         parts.add(history, throughput * glow.radiance * balance(pdf, glow.pdf));
     });
-    if let Some(y) = met.as_ref().filter(|y| !y.emission.is_black()) {
+    if let Some(y) = met.as_ref().filter(|y| !y.emission().is_black()) {
         let weight = if pdf.is_finite() { balance(pdf, world.pdf_toward(y, ray.origin)) } else { 1.0 };
-        parts.add(history, throughput * y.emission * weight);
+        parts.add(history, throughput * y.emission() * weight);
     }
     met
 }

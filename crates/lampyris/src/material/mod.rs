@@ -147,6 +147,15 @@ impl Bsdf {
         }
     }
 
+    /// True if dull lobes may send light to the far side of the surface.
+    pub fn transmits(&self) -> bool {
+        match self {
+            Bsdf::Diffuse(m) => !m.transmittance.is_black(),
+            Bsdf::Ward(m) => !m.base.transmittance.is_black() || !m.transmission.is_black(),
+            Bsdf::Dielectric(_) => false,
+        }
+    }
+
     /// True where the local frame keeps the outward normal instead of turning to the side of `wo`.
     pub fn is_solid_interface(&self) -> bool {
         matches!(self, Bsdf::Dielectric(_))

@@ -4,10 +4,10 @@
 //! and of the geometric normal; which side `wo` is on, the geometric normal alone decides.
 //! The receiver's cosine is the shading normal's, the emitting side's cosine the geometric one.
 
+use super::finish::{Finish, WHITE};
 use crate::color::Rgb;
-use crate::geometry::{Frame, Hit, SurfacePoint};
-use crate::material::{Bsdf, Class, Diffuse, Scatter, Sides, Transport};
-use crate::scene::Scene;
+use crate::geometry::{Frame, SurfacePoint};
+use crate::material::{Class, Scatter, Transport};
 use glam::Vec3;
 
 /// A surface point seen from `wo`.
@@ -15,18 +15,16 @@ use glam::Vec3;
 pub struct Surface<'w> {
     /// Where [m, world].
     pub position: Vec3,
-    /// Unit geometric normal on the side of `wo`.
-    pub normal: Vec3,
-    /// Shading frame; its normal is on the side of `wo`, save at a dielectric, whose normal stays outward.
-    pub frame: Frame,
-    /// Unit direction back along the ray that met the surface.
-    pub wo: Vec3,
     /// Bound of the position's rounding error, axis by axis [m].
     pub error: Vec3,
-    /// Scattering.
-    pub bsdf: &'w Bsdf,
-    /// Radiance that the surface itself sends toward `wo` [cd/m²].
-    pub emission: Rgb,
+    /// Unit geometric normal on the side of `wo`.
+    pub normal: Vec3,
+    /// Unit shading normal on the side of `wo`, save at a dielectric, whose normal stays outward.
+    pub shading: Vec3,
+    /// Unit direction back along the ray that met the surface.
+    pub wo: Vec3,
+    /// Material.
+    pub finish: &'w Finish,
     /// True if `wo` is on the front side.
     pub front: bool,
     /// Which instance of the scene.
@@ -35,67 +33,25 @@ pub struct Surface<'w> {
     pub material: u32,
 }
 
-/// A perfectly white receiver: its radiance is illuminance / π.
-static WHITE: Bsdf = Bsdf::Diffuse(Diffuse { reflectance: Rgb::WHITE, transmittance: Rgb::BLACK });
-
 impl<'w> Surface<'w> {
-    pub(super) fn new(scene: &'w Scene, direction: Vec3, hit: &Hit) -> Surface<'w> {
-        let instance = &scene.instances[hit.instance as usize];
-        let mesh = &scene.meshes[instance.mesh as usize];
-        let corners = mesh.triangles[hit.triangle as usize].map(|k| k as usize);
-        let vertices = corners.map(|k| instance.transform.transform_point3(mesh.positions[k]));
-        let [a, b, c] = vertices;
-        let mirrored = instance.transform.matrix3.determinant() < 0.0;
-        let outward =
-            (b - a).cross(c - a).normalize_or(-direction.normalize()) * if mirrored { -1.0 } else { 1.0 };
-        let wo = -direction.normalize();
-        let front = wo.dot(outward) >= 0.0;
-        let normal = if front { outward } else { -outward };
-
-        let weights = [1.0 - hit.u - hit.v, hit.u, hit.v];
-        let smooth = (0..3)
-            .map(|k| mesh.normals.get(corners[k]).copied().unwrap_or_default() * weights[k])
-            .sum::<Vec3>();
-        // Normals transform by the inverse transpose, here the cofactors: no division, no trouble with mirrors.
-        let m = instance.transform.matrix3;
-        let cofactors = [m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis)];
-        let smooth = Vec3::from(cofactors[0] * smooth.x + cofactors[1] * smooth.y + cofactors[2] * smooth.z)
-            .normalize_or(outward);
-        let smooth = if smooth.dot(outward) < 0.0 { -smooth } else { smooth };
-
-        let number = mesh.materials[hit.triangle as usize];
-        let material = &scene.materials[number as usize];
-        let solid = material.bsdf.is_solid_interface();
-        let point = SurfacePoint::new(&vertices, hit.u, hit.v);
-        let glows = front || material.sides == Sides::Both;
-        Surface {
-            position: point.position,
-            normal,
-            frame: Frame::new(if front || solid { smooth } else { -smooth }),
-            wo,
-            error: point.error,
-            bsdf: &material.bsdf,
-            emission: if glows { material.emission } else { Rgb::BLACK },
-            front,
-            instance: hit.instance,
-            material: number,
-        }
-    }
-
     /// An ideal illuminance meter lying at `position`: π times its radiance is the illuminance [lx].
     pub fn meter(position: Vec3, normal: Vec3) -> Surface<'static> {
         Surface {
             position,
             normal,
-            frame: Frame::new(normal),
+            shading: normal,
             wo: normal,
             error: Vec3::ZERO,
-            bsdf: &WHITE,
-            emission: Rgb::BLACK,
+            finish: &WHITE,
             front: true,
             instance: u32::MAX,
             material: u32::MAX,
         }
+    }
+
+    /// Radiance that the surface itself sends toward `wo` [cd/m²].
+    pub fn emission(&self) -> Rgb {
+        if self.front || self.finish.both_sides_glow { self.finish.emission } else { Rgb::BLACK }
     }
 
     /// Where a ray in `direction` leaves without meeting this surface again.
@@ -106,26 +62,27 @@ impl<'w> Surface<'w> {
 
     /// Cosine between a direction and the shading normal, without sign.
     pub fn cosine(&self, wi: Vec3) -> f32 {
-        self.frame.n.dot(wi).abs()
+        self.shading.dot(wi).abs()
     }
 
     /// f_r of the lobes of `class` for light arriving from `wi` and leaving toward `wo` [sr⁻¹].
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
         match self.local_incident(wi) {
-            Some(l) => self.bsdf.eval(class, self.local_outgoing(wo), l),
+            Some(l) => self.finish.bsdf.eval(class, self.local_outgoing(wo), l),
             None => Rgb::BLACK,
         }
     }
 
     /// Density of [`Self::sample`] [sr⁻¹].
     pub fn pdf(&self, class: Class, wi: Vec3) -> f32 {
-        self.local_incident(wi).map_or(0.0, |l| self.bsdf.pdf(class, self.local_outgoing(self.wo), l))
+        self.local_incident(wi).map_or(0.0, |l| self.finish.bsdf.pdf(class, self.local_outgoing(self.wo), l))
     }
 
     /// Draws where the light that leaves toward `wo` came from; world direction, weight f_r·cos/pdf.
     pub fn sample(&self, class: Class, u: [f32; 2], choice: f32) -> Option<Scatter> {
-        let s = self.bsdf.sample(class, self.local_outgoing(self.wo), u, choice, Transport::Radiance)?;
-        let wi = self.frame.to_world(s.wi);
+        let s =
+            self.finish.bsdf.sample(class, self.local_outgoing(self.wo), u, choice, Transport::Radiance)?;
+        let wi = Frame::new(self.shading).to_world(s.wi);
         self.local_incident(wi).map(|_| Scatter { wi, ..s })
     }
 
@@ -135,7 +92,7 @@ impl<'w> Surface<'w> {
     /// normal's, the leaving one the other way round [Veach 1997, §5.3].
     pub fn scatter_flux(&self, class: Class, u: [f32; 2], choice: f32) -> Option<Scatter> {
         let arrived = self.flux_density()?;
-        if let (Class::Dull, Some(rho)) = (class, self.bsdf.lambertian()) {
+        if let (Class::Dull, Some(rho)) = (class, self.finish.lambertian) {
             // Exact for Lambert: the leaving cosine is the geometric one.
             let wi = Frame::new(self.normal).to_world(crate::sampling::cosine_hemisphere(u));
             return Some(Scatter {
@@ -144,10 +101,16 @@ impl<'w> Surface<'w> {
                 pdf: self.normal.dot(wi) * std::f32::consts::FRAC_1_PI,
             });
         }
-        let s = self.bsdf.sample(class, self.frame.to_local(self.wo), u, choice, Transport::Flux)?;
-        let wi = self.frame.to_world(s.wi);
-        let (geometric, shading) = (self.normal.dot(wi), self.frame.n.dot(wi));
-        let same_side = (geometric > 0.0) == (shading * self.frame.n.dot(self.normal) > 0.0);
+        let s = self.finish.bsdf.sample(
+            class,
+            Frame::new(self.shading).to_local(self.wo),
+            u,
+            choice,
+            Transport::Flux,
+        )?;
+        let wi = Frame::new(self.shading).to_world(s.wi);
+        let (geometric, shading) = (self.normal.dot(wi), self.shading.dot(wi));
+        let same_side = (geometric > 0.0) == (shading * self.shading.dot(self.normal) > 0.0);
         (same_side && shading != 0.0).then(|| Scatter {
             wi,
             weight: s.weight * (arrived * (geometric / shading).abs()),
@@ -164,15 +127,15 @@ impl<'w> Surface<'w> {
 
     /// A direction of arriving light in the shading frame, if both normals agree about its side.
     fn local_incident(&self, wi: Vec3) -> Option<Vec3> {
-        let l = self.frame.to_local(wi);
-        let outward = self.frame.n.dot(self.normal) >= 0.0;
+        let l = Frame::new(self.shading).to_local(wi);
+        let outward = self.shading.dot(self.normal) >= 0.0;
         ((l.z > 0.0) == ((self.normal.dot(wi) > 0.0) == outward) && l.z != 0.0).then_some(l)
     }
 
     /// A direction of leaving light in the shading frame, on the side that the geometric normal says.
     fn local_outgoing(&self, wo: Vec3) -> Vec3 {
-        let l = self.frame.to_local(wo);
-        let outward = self.frame.n.dot(self.normal) >= 0.0;
+        let l = Frame::new(self.shading).to_local(wo);
+        let outward = self.shading.dot(self.normal) >= 0.0;
         let up = (self.normal.dot(wo) >= 0.0) == outward;
         Vec3::new(l.x, l.y, l.z.abs().max(1e-4) * if up { 1.0 } else { -1.0 })
     }
