@@ -96,6 +96,8 @@ pub struct Packet<'w> {
     pub live: u16,
     /// Of these, lanes with a Lambertian reflector: no BSDF need be evaluated.
     pub lambertian: u16,
+    /// Of these, lanes that no light reaches through the surface: lit from the side of the eye alone.
+    pub opaque: u16,
     /// Off the surface on the side of the eye [m], x y z.
     pub position: [[f32; LANES]; 3],
     /// Shading normals.
@@ -205,6 +207,7 @@ impl<'w> Packet<'w> {
             pixels: [u32::MAX; LANES],
             live: 0,
             lambertian: 0,
+            opaque: 0,
             position: [[0.0; LANES]; 3],
             shading: [[0.0; LANES]; 3],
             geometric: [[0.0; LANES]; 3],
@@ -243,11 +246,12 @@ impl<'w> Packet<'w> {
         let hits = world.tracer().closest16(view.eye(), &directions, live);
         for k in lanes {
             let ray = Ray::new(view.eye(), Vec3::new(directions[0][k], directions[1][k], directions[2][k]));
-            let first = hits.get(k).map(|hit| world.surface(ray.direction, &hit));
-            self.first[k] = first.as_ref().map(|s| First {
+            let hit = hits.get(k);
+            let first = hit.map(|hit| world.surface(ray.direction, &hit));
+            self.first[k] = first.as_ref().zip(hit).map(|(s, hit)| First {
                 albedo: s.finish.sharp + s.finish.dull,
                 normal: s.shading,
-                depth: (s.position - view.eye()).length(),
+                depth: hit.t,
                 instance: s.instance,
             });
             if let Some(x) = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays) {
@@ -260,6 +264,9 @@ impl<'w> Packet<'w> {
         self.live |= 1 << k;
         if surface.finish.lambertian.is_some() {
             self.lambertian |= 1 << k;
+        }
+        if !surface.finish.transmits {
+            self.opaque |= 1 << k;
         }
         let p = surface.spawn(surface.wo);
         for axis in 0..3 {

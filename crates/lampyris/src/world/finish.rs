@@ -19,6 +19,8 @@ pub struct Finish {
     pub dull: Rgb,
     /// ρ_d if the dull lobes are a Lambertian reflector's.
     pub lambertian: Option<Rgb>,
+    /// True if dull lobes send light through the surface.
+    pub transmits: bool,
 }
 
 /// A perfectly white receiver: its radiance is illuminance / π.
@@ -29,6 +31,7 @@ pub(super) static WHITE: Finish = Finish {
     sharp: Rgb::BLACK,
     dull: Rgb::WHITE,
     lambertian: Some(Rgb::WHITE),
+    transmits: false,
 };
 
 impl From<&Material> for Finish {
@@ -40,6 +43,7 @@ impl From<&Material> for Finish {
             sharp: m.bsdf.albedo(Class::Sharp, Vec3::Z),
             dull: m.bsdf.albedo(Class::Dull, Vec3::Z),
             lambertian: m.bsdf.lambertian(),
+            transmits: m.bsdf.transmits(),
         }
     }
 }
