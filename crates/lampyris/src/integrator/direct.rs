@@ -33,7 +33,7 @@ impl Integrator for Direct {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed)) {
+                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed)) {
                     let near = near_light(pass, &x.surface, numbers.branch(b'd'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * near * STRIDE as f32;
                 }

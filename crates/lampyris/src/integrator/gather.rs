@@ -90,7 +90,7 @@ pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &m
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let radiance = packet(pass.world, p, lights, rays);
         for k in p.lanes() {
-            if let Some(x) = &p.visible[k] {
+            if let Some(x) = p.visible(k) {
                 out[p.pixels[k] as usize] += x.throughput * radiance[k];
             }
         }
@@ -112,19 +112,19 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
                 irradiance[k] += light.intensity * g[k];
             }
             for k in lanes(seen & !plain) {
-                if let Some(x) = &p.visible[k] {
+                if let Some(x) = p.visible(k) {
                     radiance[k] += reflected(&x.surface, light, g[k]);
                 }
             }
         }
         for k in lanes(p.live & !together) {
-            if let Some(x) = &p.visible[k] {
+            if let Some(x) = p.visible(k) {
                 radiance[k] += from_light(world, &x.surface, light, rays);
             }
         }
     }
     for k in lanes(p.lambertian) {
-        if let Some(rho) = p.visible[k].as_ref().and_then(|x| x.surface.finish.lambertian) {
+        if let Some(rho) = p.visible(k).and_then(|x| x.surface.finish.lambertian) {
             radiance[k] += rho * irradiance[k] * FRAC_1_PI;
         }
     }
