@@ -163,9 +163,10 @@ impl Job {
         let mut auxiliary = self.settings.auxiliary.then(|| TileAuxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
+        let mut tile = self.eye.tile(rect);
         for number in 0..passes {
             let sampling = self.sampling(batch, number);
-            let tile = self.eye.look(&self.world, rect, &sampling);
+            self.eye.look(&self.world, &sampling, &mut tile);
             rays.eye += tile.rays;
             let pass = Pass {
                 world: &self.world,

@@ -35,7 +35,7 @@ impl Integrator for Compensation {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed >> 8)) {
+                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 8)) {
                     let paid = beyond_clamp(pass, x.surface, numbers.branch(b'c'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
                 }
