@@ -1,7 +1,7 @@
 //! Lampyris computes how light fills a scene: global illumination by virtual point lights, in photometric units.
 //!
 //! *Lampyris* is the glow-worm, and so is the idea: the light that has been reflected is represented by a swarm of
-//! small lights left where particles met the walls [Keller97]. This page is a guided tour; ARCHITECTURE.md says why
+//! small lights left where particles met the walls [Keller97, §3]. This page is a guided tour; ARCHITECTURE.md says why
 //! the parts are cut as they are, docs/light-transport.md has the equations.
 //!
 //! # The words
