@@ -159,6 +159,7 @@ fn modules_use_earlier_layers_only() {
         let code: Vec<&str> =
             without_tests(&text).lines().filter(|l| !l.trim_start().starts_with("//")).collect();
         for used in code.join("\n").split("crate::").skip(1) {
+            assert!(!used.starts_with('{'), "{path}: a line of its own for each module used");
             let used: String = used.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
             let Some(of_used) = layer(&used) else { continue };
             assert!(used == module || of_used < own, "{path} uses {used}, which is not below {module}");
