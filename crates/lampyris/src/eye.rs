@@ -3,12 +3,12 @@
 //! An eye path goes on through sharp lobes (mirrors, glass, polish) by chance; what glows along it, seen directly or
 //! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
 
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::material::Class;
 use crate::scene::View;
 use crate::sequence::{self, ledger::eye as ledger, sobol};
+use crate::settings::Rays;
 use crate::world::{Surface, World};
 use glam::Vec3;
 

@@ -137,3 +137,19 @@ impl Frame {
         (squares.sum::<f64>() / (used.len() - 1) as f64 / n).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_interval_is_students() {
+        let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+        for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
+            frame.add(k, &[vec![Rgb::grey(v)]]);
+        }
+        // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.
+        assert!((frame.standard_error(0) - (5.0f32 / 12.0).sqrt()).abs() < 1e-6);
+        assert!((frame.student_factor() - 3.182_446).abs() < 1e-5);
+    }
+}

@@ -3,12 +3,12 @@
 //! Each light has its own sub-sequence and a fixed share of the paths; a vertex' flux is already divided by the
 //! expected number of particles of its generation. Nothing here knows of pixels.
 
-use crate::backend::{Absorption, Batch, Settings};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::light::Shine;
 use crate::material::{Bsdf, Class};
 use crate::sequence::{self, ledger::light as ledger, radical_inverse};
+use crate::settings::{Absorption, Batch, Settings};
 use crate::world::{Surface, World};
 use glam::Vec3;
 use rayon::prelude::*;

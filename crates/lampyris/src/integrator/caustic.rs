@@ -3,9 +3,9 @@
 
 use super::path::{Scope, Start, trace};
 use super::{Integrator, Pass, STRIDE, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::Tile;
+use crate::settings::Rays;
 
 /// Paths L (S|D)* S D S* E.
 pub(super) struct Caustic;

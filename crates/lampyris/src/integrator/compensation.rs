@@ -5,12 +5,12 @@
 //! paths are *caustic*'s.
 
 use super::{Integrator, Pass, STRIDE, direct, gather, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
+use crate::settings::Rays;
 use crate::world::Surface;
 
 /// Vertices after which even the surest roulette ends.

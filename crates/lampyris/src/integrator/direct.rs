@@ -4,13 +4,13 @@
 //! BSDF pays back exactly what the clamp took, so that a lamp 1 mm under a ceiling makes no spikes and loses nothing.
 
 use super::{Integrator, Pass, STRIDE, gather, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
 use crate::light::Emitter;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
+use crate::settings::Rays;
 use crate::world::Surface;
 
 /// Light points that stand for all of them where a single point is shaded.

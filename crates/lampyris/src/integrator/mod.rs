@@ -12,11 +12,11 @@ pub mod gather;
 mod path;
 mod vpl;
 
-use crate::backend::{Rays, Settings};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Sampling, Tile};
 use crate::particle::{Plan, Vpl};
+use crate::settings::{Rays, Settings};
 use crate::world::World;
 
 /// What all tiles of one eye pass share.

@@ -1,4 +1,4 @@
-//! Radiance's RGBE pictures [Ward, "Real pixels", Graphics Gems II, 1991], run-length encoded by scanline.
+//! Radiance's RGBE pictures [Ward 1991], run-length encoded by scanline.
 //! Three mantissas share an exponent, so that a channel 256 times darker than the brightest is lost and negative ones
 //! are 0. With the linear curve, values divided by `EXPOSURE` are W/(sr·m²) at 179 lm/W, as Radiance's tools expect.
 
