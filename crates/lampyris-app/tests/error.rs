@@ -3,6 +3,7 @@
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
+use lampyris::frame::Frame;
 use lampyris::import;
 use lampyris::scene::{Camera, View};
 use lampyris::world::World;
@@ -41,6 +42,22 @@ fn the_stated_error_is_the_spread_over_seeds() {
         let mean = pictures.iter().map(|(m, _)| m).sum::<f64>() / n;
         let spread = (pictures.iter().map(|(m, _)| (m / mean - 1.0).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
         let stated = (pictures.iter().map(|(_, e)| e * e).sum::<f64>() / n).sqrt();
-        println!("{parts:?} {batches}: spread {spread:.3e}, stated {stated:.3e}");
+        // Both are standard deviations, of 23 and of 24·3 degrees of freedom: by Fisher's F their ratio leaves
+        // 0.55 to 1.8 once in ten thousand times.
+        assert!((0.55..1.8).contains(&(stated / spread)), "{parts:?}: stated {stated}, spread {spread}");
     }
+}
+
+#[test]
+fn the_interval_of_95_percent_is_student_s() {
+    // Quantiles of Student's distribution at 97.5 % [any table]: 12.706 for one degree of freedom, 3.182 for three.
+    let black = [vec![lampyris::Rgb::BLACK; 1]];
+    let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+    frame.add(0, &black);
+    assert_eq!(frame.student_factor(), f32::INFINITY);
+    frame.add(1, &black);
+    assert!((frame.student_factor() - 12.706).abs() < 1e-3);
+    frame.add(2, &black);
+    frame.add(3, &black);
+    assert!((frame.student_factor() - 3.182).abs() < 1e-3);
 }
