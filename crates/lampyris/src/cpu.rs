@@ -47,6 +47,29 @@ impl Cpu {
         Ok(Cpu { pool, job: None })
     }
 
+    /// Does something on the threads of this back end, [`World::new`] for instance.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+
+    /// [`Backend::begin`] with a world that is already built, where a view had to be found in it first.
+    pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        let integrators = integrator::select(&settings.parts)?;
+        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+        let (width, height) = eye.size();
+        self.job = Some(Job {
+            plan: Plan::new(&world, settings),
+            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            statistics: Statistics::default(),
+            settings: settings.clone(),
+            world,
+            eye,
+            integrators,
+        });
+        Ok(())
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
@@ -60,20 +83,8 @@ impl Cpu {
 impl Backend for Cpu {
     fn begin(&mut self, scene: Scene, eye: Eye, settings: &Settings) -> Result<()> {
         settings.check()?;
-        let integrators = integrator::select(&settings.parts)?;
-        let world = self.pool.install(|| World::new(scene));
-        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-        let (width, height) = eye.size();
-        self.job = Some(Job {
-            plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
-            statistics: Statistics::default(),
-            settings: settings.clone(),
-            world,
-            eye,
-            integrators,
-        });
-        Ok(())
+        let world = self.install(|| World::new(scene));
+        self.begin_world(world, eye, settings)
     }
 
     fn add(&mut self, batch: Batch) -> Result<()> {
