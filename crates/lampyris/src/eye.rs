@@ -18,8 +18,11 @@ pub const LANES: usize = 16;
 /// Sharp vertices after which an eye path is continued by roulette.
 const CERTAIN_VERTICES: u32 = 6;
 
-/// Sharp vertices after which an eye path ends: roulette leaves nothing of note, but glass may reflect all.
-const MAX_VERTICES: u32 = 64;
+/// Sharp vertices after which an eye path ends. Glass with facets may hold light for hundreds of them.
+const MAX_VERTICES: u32 = 1024;
+
+/// The surest roulette: of paths that lose nothing on their way one in 10⁸ lives to be cut off.
+const SUREST: f32 = 0.98;
 
 /// What looks at the scene.
 #[derive(Clone, Debug)]
@@ -347,7 +350,7 @@ fn follow<'w>(
         throughput *= scatter.weight;
         pdf = scatter.pdf;
         if vertex >= CERTAIN_VERTICES {
-            let stay = throughput.max_channel().clamp(0.0, 1.0);
+            let stay = throughput.max_channel().clamp(0.0, SUREST);
             if numbers.one(ledger::roulette(vertex)) >= stay {
                 return None;
             }

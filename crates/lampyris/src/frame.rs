@@ -35,6 +35,28 @@ pub struct Auxiliary {
     pub samples: u32,
 }
 
+impl Auxiliary {
+    pub(crate) fn new(pixels: usize) -> Auxiliary {
+        Auxiliary {
+            albedo: vec![Rgb::BLACK; pixels],
+            normal: vec![Rgb::BLACK; pixels],
+            depth: vec![0.0; pixels],
+            object: vec![0; pixels],
+            samples: 0,
+        }
+    }
+
+    /// Adds pixel `from` of `other` to pixel `at`.
+    pub(crate) fn add(&mut self, at: usize, other: &Auxiliary, from: usize) {
+        self.albedo[at] += other.albedo[from];
+        self.normal[at] += other.normal[from];
+        self.depth[at] += other.depth[from];
+        if self.object[at] == 0 {
+            self.object[at] = other.object[from];
+        }
+    }
+}
+
 impl Frame {
     /// An empty frame.
     pub fn new(width: u32, height: u32, parts: &[&str], replicates: u32, auxiliary: bool) -> Frame {
@@ -45,13 +67,7 @@ impl Frame {
             parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
             replicates: vec![vec![Rgb::BLACK; pixels]; replicates as usize],
             batches: vec![0; replicates as usize],
-            auxiliary: auxiliary.then(|| Auxiliary {
-                albedo: vec![Rgb::BLACK; pixels],
-                normal: vec![Rgb::BLACK; pixels],
-                depth: vec![0.0; pixels],
-                object: vec![0; pixels],
-                samples: 0,
-            }),
+            auxiliary: auxiliary.then(|| Auxiliary::new(pixels)),
         }
     }
 

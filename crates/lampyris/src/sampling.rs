@@ -34,7 +34,12 @@ pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
 
 /// Uniform on the cap cos θ ≥ `cos_max` about +z, density 1/(2π(1 − cos_max)) [sr⁻¹].
 pub fn uniform_cone(u: [f32; 2], cos_max: f32) -> Vec3 {
-    let gap = u[0] * (1.0 - cos_max);
+    uniform_cap(u, 1.0 - cos_max)
+}
+
+/// [`uniform_cone`] by the cap's height 1 − `cos_max`, of which a narrow cone's cosine has no digits left.
+pub fn uniform_cap(u: [f32; 2], height: f32) -> Vec3 {
+    let gap = u[0] * height;
     let r = (gap * (2.0 - gap)).max(0.0).sqrt();
     let (sin, cos) = libm::sincosf(TAU * u[1]);
     Vec3::new(r * cos, r * sin, 1.0 - gap)

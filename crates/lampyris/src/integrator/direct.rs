@@ -13,6 +13,9 @@ use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::Surface;
 
+/// Light points that stand for all of them where a single point is shaded.
+const LIGHTS: usize = 2;
+
 /// Paths L D S* E.
 pub(super) struct Direct;
 
@@ -44,7 +47,8 @@ impl Integrator for Direct {
 
 /// Radiance at one point by all direct light: the clear, scalar form.
 pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Rays) -> Rgb {
-    let far = gather::from_lights(pass.world, x, pass.lights, &mut rays.compensation);
+    let u = numbers.one(ledger::light(0));
+    let far = gather::from_some_lights(pass.world, x, pass.lights, LIGHTS, u, &mut rays.compensation);
     far + near_light(pass, x, numbers, rays)
 }
 

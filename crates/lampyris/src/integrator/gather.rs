@@ -85,6 +85,21 @@ pub fn from_lights(world: &World, x: &Surface<'_>, lights: &[Vpl<'_>], rays: &mu
     lights.iter().map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b)
 }
 
+/// An unbiased estimate of [`from_lights`] by about `most` of the lights: every n-th, from a start that `u` draws.
+pub fn from_some_lights(
+    world: &World,
+    x: &Surface<'_>,
+    lights: &[Vpl<'_>],
+    most: usize,
+    u: f32,
+    rays: &mut u64,
+) -> Rgb {
+    let every = lights.len().div_ceil(most).max(1);
+    let start = (u * every as f32) as usize;
+    let some = lights.iter().skip(start).step_by(every);
+    some.map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b) * every as f32
+}
+
 /// Adds what every point of a tile receives from a list of lights.
 pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
     for p in tile.packets.iter().filter(|p| p.live != 0) {

@@ -6,7 +6,7 @@ use super::surface::EmissiveSide;
 use super::{Beam, Light, LightKind};
 use crate::color::Rgb;
 use crate::geometry::Frame;
-use crate::sampling::{concentric_disc, cosine_hemisphere, cosine_power, uniform_cone, uniform_sphere};
+use crate::sampling::{concentric_disc, cosine_hemisphere, cosine_power, uniform_cap, uniform_sphere};
 use glam::Vec3;
 use std::f32::consts::{FRAC_1_PI, PI, TAU};
 
@@ -186,11 +186,11 @@ impl Emitter {
     pub fn toward(&self, x: Vec3, u: [f32; 2]) -> Option<Arrival> {
         if let Emitter::Lamp(LightKind::Sphere { center, radius, radiance }) = self {
             // The visible cap's cone: uniform in solid angle.
-            let cos_max = cone_of_sphere(*center - x, *radius)?;
+            let height = cap_of_sphere(*center - x, *radius)?;
             let axis = (*center - x).normalize();
-            let wi = Frame::new(axis).to_world(uniform_cone(u, cos_max));
+            let wi = Frame::new(axis).to_world(uniform_cap(u, height));
             let t = entry(x, wi, *center, *radius).unwrap_or((*center - x).length() - radius);
-            let solid_angle = TAU * (1.0 - cos_max);
+            let solid_angle = TAU * height;
             return Some(Arrival {
                 wi,
                 end: Some(x + wi * t),
@@ -231,7 +231,7 @@ impl Emitter {
     pub fn pdf(&self, x: Vec3, distance: f32, cosine: f32) -> f32 {
         match self {
             Emitter::Lamp(LightKind::Sphere { center, radius, .. }) => {
-                cone_of_sphere(*center - x, *radius).map_or(0.0, |c| 1.0 / (TAU * (1.0 - c)))
+                cap_of_sphere(*center - x, *radius).map_or(0.0, |height| 1.0 / (TAU * height))
             }
             Emitter::Environment { .. } => 0.25 * FRAC_1_PI,
             Emitter::Lamp(LightKind::Disc { .. }) | Emitter::Side(_) => {
@@ -326,10 +326,11 @@ fn on_disc(center: Vec3, normal: Vec3, radius: f32, u: [f32; 2]) -> Vec3 {
     center + (f.s * x + f.t * y) * radius
 }
 
-/// Cosine of the half-angle under which a sphere is seen; `None` from inside, where it does not shine.
-fn cone_of_sphere(to_center: Vec3, radius: f32) -> Option<f32> {
+/// 1 − cos of the half-angle under which a sphere is seen; `None` from inside, where it does not shine.
+fn cap_of_sphere(to_center: Vec3, radius: f32) -> Option<f32> {
     let sin2 = radius * radius / to_center.length_squared();
-    (sin2 < 1.0).then(|| (1.0 - sin2).sqrt())
+    // Not 1 − √(1 − sin²): a hundred radii away that would be wrong by a per mille, and the light with it.
+    (sin2 < 1.0).then(|| sin2 / (1.0 + (1.0 - sin2).sqrt()))
 }
 
 /// Distance at which a ray enters a sphere from outside.
