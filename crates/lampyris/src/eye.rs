@@ -4,7 +4,7 @@
 //! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
 
 use crate::color::Rgb;
-use crate::geometry::Ray;
+use crate::geometry::{Hits16, Ray};
 use crate::material::Class;
 use crate::scene::View;
 use crate::sequence::{self, ledger::eye as ledger, sobol};
@@ -111,8 +111,8 @@ pub struct Packet<'w> {
     visible: [Option<Visible<'w>>; LANES],
     /// What glowed along the path [cd/m²].
     pub emission: [Rgb; LANES],
-    /// The first surface met, for the auxiliary planes.
-    pub first: [Option<First>; LANES],
+    /// Directions of the camera rays, and what they met first.
+    camera: Option<([[f32; LANES]; 3], Hits16)>,
     /// The random numbers of each lane.
     pub numbers: [Numbers; LANES],
 }
@@ -234,7 +234,7 @@ impl<'w> Packet<'w> {
             geometric: [[0.0; LANES]; 3],
             visible: [None; LANES],
             emission: [Rgb::BLACK; LANES],
-            first: [None; LANES],
+            camera: None,
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
         }
     }
@@ -242,6 +242,15 @@ impl<'w> Packet<'w> {
     /// The vertex of a lane.
     pub fn visible(&self, k: usize) -> Option<&Visible<'w>> {
         if self.live >> k & 1 == 1 { self.visible[k].as_ref() } else { None }
+    }
+
+    /// The first surface on a lane's camera ray, for the auxiliary planes.
+    pub fn first(&self, world: &World, k: usize) -> Option<First> {
+        let ([x, y, z], hits) = self.camera.as_ref()?;
+        let hit = hits.get(k)?;
+        let s = world.surface(Vec3::new(x[k], y[k], z[k]), &hit);
+        let albedo = s.finish.sharp + s.finish.dull;
+        Some(First { albedo, normal: s.shading, depth: hit.t, instance: s.instance })
     }
 
     /// Lanes within the picture.
@@ -261,8 +270,7 @@ impl<'w> Packet<'w> {
     fn look_through(&mut self, world: &'w World, view: &View, rect: Rect, offset: [f32; 2], rays: &mut Rays) {
         let mut directions = [[0.0; LANES]; 3];
         let mut live = 0u16;
-        let lanes: Vec<usize> = self.lanes().collect();
-        for &k in &lanes {
+        for k in self.lanes() {
             let (x, y) = rect.pixel(self.pixels[k]);
             let d = view.ray(x as f32 + offset[0], y as f32 + offset[1]).direction;
             (directions[0][k], directions[1][k], directions[2][k]) = (d.x, d.y, d.z);
@@ -270,16 +278,9 @@ impl<'w> Packet<'w> {
         }
         rays.eye += u64::from(live.count_ones());
         let hits = world.tracer().closest16(view.eye(), &directions, live);
-        for k in lanes {
+        for k in self.lanes() {
             let ray = Ray::new(view.eye(), Vec3::new(directions[0][k], directions[1][k], directions[2][k]));
-            let hit = hits.get(k);
-            let first = hit.map(|hit| world.surface(ray.direction, &hit));
-            self.first[k] = first.as_ref().zip(hit).map(|(s, hit)| First {
-                albedo: s.finish.sharp + s.finish.dull,
-                normal: s.shading,
-                depth: hit.t,
-                instance: s.instance,
-            });
+            let first = hits.get(k).map(|hit| world.surface(ray.direction, &hit));
             match first {
                 Some(surface) if !surface.finish.is_sharp_or_glows() && !world.has_lamps() => {
                     self.set(k, surface, Rgb::WHITE);
@@ -291,8 +292,10 @@ impl<'w> Packet<'w> {
                 }
             }
         }
+        self.camera = Some((directions, hits));
     }
 
+    #[inline]
     fn set(&mut self, k: usize, surface: Surface<'w>, throughput: Rgb) {
         self.live |= 1 << k;
         if surface.finish.lambertian.is_some() {

@@ -37,6 +37,8 @@ pub struct World {
     /// Emitters that rays can meet without hitting a triangle: spheres and discs.
     lamps: Vec<u32>,
     environment: Option<u32>,
+    /// Boxes around the emitters that have an area.
+    glow_boxes: Vec<[Vec3; 2]>,
     bounds: Bounds,
     area: f32,
     mean_reflectance: f32,
@@ -87,6 +89,7 @@ impl World {
             sides: HashMap::new(),
             lamps: Vec::new(),
             environment: None,
+            glow_boxes: Vec::new(),
             bounds: Bounds::default(),
             area: 0.0,
             mean_reflectance: 0.0,
@@ -100,6 +103,7 @@ impl World {
             world.environment = Some(world.emitters.len() as u32);
             world.emitters.push(Emitter::Environment { radiance: world.scene.environment });
         }
+        world.glow_boxes = world.emitters.iter().filter_map(Emitter::extent).collect();
         world.share_out();
         world
     }
@@ -142,6 +146,14 @@ impl World {
     /// True if rays may pass through the glow of a sphere or disc.
     pub fn has_lamps(&self) -> bool {
         !self.lamps.is_empty()
+    }
+
+    /// False only if no point of an emitter's area lies within `distance` of `x`.
+    pub fn may_glow_near(&self, x: Vec3, distance: f32) -> bool {
+        // Of very many emitters one is likely to be near, and asking all of them costs more than a ray.
+        const MANY: usize = 64;
+        let near = |[lo, hi]: &[Vec3; 2]| (x - x.clamp(*lo, *hi)).length_squared() <= distance * distance;
+        self.glow_boxes.len() > MANY || self.glow_boxes.iter().any(near)
     }
 
     /// True if any surface has sharp lobes: without them there are no caustics.

@@ -58,10 +58,13 @@ fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Ray
     if b == f32::INFINITY {
         return Rgb::BLACK;
     }
-    let u = numbers.pair(ledger::direction(0));
-    let Some(s) = x.sample(Class::Dull, u, numbers.one(ledger::lobe(0))) else { return Rgb::BLACK };
     // G > b only within 1/√b.
     let reach = 1.0 / b.sqrt();
+    if !world.may_glow_near(x.position, reach) {
+        return Rgb::BLACK;
+    }
+    let u = numbers.pair(ledger::direction(0));
+    let Some(s) = x.sample(Class::Dull, u, numbers.one(ledger::lobe(0))) else { return Rgb::BLACK };
     let ray = Ray { origin: x.spawn(s.wi), direction: s.wi, t_max: reach };
     rays.compensation += 1;
     let met = world.closest(&ray);

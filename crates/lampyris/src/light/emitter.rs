@@ -108,6 +108,18 @@ impl Emitter {
         }
     }
 
+    /// The box around the emitter's area; `None` where it has none.
+    pub fn extent(&self) -> Option<[Vec3; 2]> {
+        match self {
+            Emitter::Lamp(LightKind::Sphere { center, radius, .. })
+            | Emitter::Lamp(LightKind::Disc { center, radius, .. }) => {
+                Some([*center - *radius, *center + *radius])
+            }
+            Emitter::Side(side) => Some(side.extent()),
+            _ => None,
+        }
+    }
+
     /// A particle of the emitter's light: place by `u[0..2]`, direction by `u[2..4]`, so distributed that each
     /// particle carries the same flux, the emitter's power.
     pub fn emit(&self, u: [f32; 4], bounds: Bounds) -> Departure {

@@ -44,6 +44,12 @@ impl EmissiveSide {
         })
     }
 
+    /// The box around all triangles.
+    pub fn extent(&self) -> [Vec3; 2] {
+        let corners = self.triangles.iter().flat_map(|t| t.vertices);
+        corners.fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)])
+    }
+
     /// The point that `u` places, off the surface by its rounding, and the normal there.
     pub fn point(&self, u: [f32; 2]) -> (Vec3, Vec3) {
         let k = self.cumulative.partition_point(|c| *c <= u[0]).min(self.triangles.len() - 1);
