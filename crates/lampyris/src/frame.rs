@@ -99,7 +99,7 @@ impl Frame {
     /// Half the width of Student's 95 % interval, in standard errors.
     pub fn student_factor(&self) -> f32 {
         let used = self.batches.iter().filter(|n| **n > 0).count();
-        if used < 2 { f32::INFINITY } else { student_quantile(0.975, used as f64 - 1.0) as f32 }
+        if used < 2 { f32::INFINITY } else { student_quantile(0.05, used as f64 - 1.0) as f32 }
     }
 
     /// What the eye met first, if it was asked for.
