@@ -111,7 +111,8 @@ fn read(path: &Path) -> Result<Vec<Meter>, Error> {
     for (k, line) in text.lines().enumerate() {
         let line = line.trim();
         if !line.is_empty() && !line.starts_with('#') {
-            let bad = |reason| Error::BadInput { file: path.into(), place: (k + 1).to_string(), reason };
+            let bad =
+                |reason| Error::BadInput { file: path.into(), place: format!("line {}", k + 1), reason };
             meters.push(meter(line).map_err(bad)?);
         }
     }

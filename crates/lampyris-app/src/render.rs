@@ -11,6 +11,7 @@ use lampyris::eye::Eye;
 use lampyris::frame::Frame;
 use lampyris::output::{self, Display, Layer, Picture, Plane};
 use lampyris::scene::{Camera, View};
+use lampyris::world::World;
 use lampyris::{Error, Rgb};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -47,14 +48,22 @@ struct Look {
     up: [f32; 3],
     fov: f32,
     found: bool,
+    /// What a found view shows of all that can be seen of the room, in shares; null where it was given.
+    seen: Option<Sight>,
+}
+
+#[derive(Serialize)]
+struct Sight {
+    furniture: f32,
+    walls: f32,
 }
 
 /// Wall-clock time by phase [s].
 #[derive(Serialize)]
 struct Seconds {
     load: f32,
-    view: f32,
     build: f32,
+    view: f32,
     render: f32,
     write: f32,
     total: f32,
@@ -68,16 +77,19 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let loaded_at = Instant::now();
 
+    let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
+    let world = backend.install(|| World::new(loaded.scene));
+    let built_at = Instant::now();
+
     let (width, height) = args.size;
-    let chosen = viewing::choose(&args.view, &loaded.scene, width as f32 / height as f32)?;
-    if chosen.found && !args.quiet {
+    let aspect = width as f32 / height as f32;
+    let chosen = backend.install(|| viewing::choose(&args.view, &world, aspect))?;
+    if chosen.seen.is_some() && !args.quiet {
         say::note(&format!("view: {}", viewing::arguments(&chosen.camera)));
     }
     let viewed_at = Instant::now();
 
-    let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
-    backend.begin(loaded.scene, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
-    let built_at = Instant::now();
+    backend.begin_world(world, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
     let progress = Progress::new(&args.estimate, args.quiet);
     let interrupted = estimate::run(&mut backend, &args.estimate, start, &progress)?;
     let rendered_at = Instant::now();
@@ -85,7 +97,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let Statistics { rays, vpls, non_finite } = backend.statistics();
     let frame = backend.frame()?;
     let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
-    let display = Display { exposure: args.exposure, tone: args.tone };
+    let display = Display { exposure: args.exposure, tone: args.tone, despeckle: !args.no_despeckle };
     let written = outputs.iter().map(|path| output::save(path, &picture, &display));
     // Each file is tried: a full disk under one says nothing of the others.
     let failed = written.fold(None, |failed, done| failed.or(done.err()));
@@ -95,9 +107,9 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let error = frame.relative_error() * frame.student_factor();
     let seconds = Seconds {
         load: (loaded_at - start).as_secs_f32(),
-        view: (viewed_at - loaded_at).as_secs_f32(),
-        build: (built_at - viewed_at).as_secs_f32(),
-        render: (rendered_at - built_at).as_secs_f32(),
+        build: (built_at - loaded_at).as_secs_f32(),
+        view: (viewed_at - built_at).as_secs_f32(),
+        render: (rendered_at - viewed_at).as_secs_f32(),
         write: rendered_at.elapsed().as_secs_f32(),
         total: start.elapsed().as_secs_f32(),
     };
@@ -117,7 +129,8 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
                 target: c.target.into(),
                 up: c.up.into(),
                 fov: c.fov_y,
-                found: chosen.found,
+                found: chosen.seen.is_some(),
+                seen: chosen.seen.map(|s| Sight { furniture: s.furniture, walls: s.walls }),
             },
             seconds,
             rays,

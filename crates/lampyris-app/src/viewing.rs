@@ -3,31 +3,32 @@
 use crate::cli::ViewArgs;
 use crate::failure::Failure;
 use lampyris::Error;
-use lampyris::scene::{Camera, Scene, find_view, upward};
+use lampyris::scene::{Camera, Scene, Seen, find_view, upward};
 use lampyris::world::World;
 
-/// A camera, and whether the program had to find it.
+/// A camera and, if the program had to find it, what it shows.
 pub(crate) struct Chosen {
     pub(crate) camera: Camera,
-    pub(crate) found: bool,
+    pub(crate) seen: Option<Seen>,
 }
 
 /// Vertical field of view where nothing says otherwise [degrees].
 const FOV_Y: f32 = 60.0;
 
 /// The camera for a picture of that aspect (width / height).
-pub(crate) fn choose(args: &ViewArgs, scene: &Scene, aspect: f32) -> Result<Chosen, Failure> {
-    let (mut camera, found) = match (args.eye, args.target, &args.camera) {
+pub(crate) fn choose(args: &ViewArgs, world: &World, aspect: f32) -> Result<Chosen, Failure> {
+    let scene = world.scene();
+    let (mut camera, seen) = match (args.eye, args.target, &args.camera) {
         (Some(eye), Some(target), _) => {
             let up = args.up.unwrap_or_else(|| upward(scene));
-            (Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }, false)
+            (Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }, None)
         }
-        (_, _, Some(name)) => (named(scene, name)?, false),
+        (_, _, Some(name)) => (named(scene, name)?, None),
         _ => match scene.cameras.first() {
-            Some(camera) => (camera.clone(), false),
+            Some(camera) => (camera.clone(), None),
             None => {
-                let world = World::new(scene.clone());
-                (find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera, true)
+                let found = find_view(scene, &|ray| world.tracer().closest(ray), aspect);
+                (found.camera, Some(found.seen))
             }
         },
     };
@@ -39,7 +40,7 @@ pub(crate) fn choose(args: &ViewArgs, scene: &Scene, aspect: f32) -> Result<Chos
             "the view has no axis or no side: eye and target must differ, and up must not point along them";
         return Err(Error::BadSetting(text.into()).into());
     }
-    Ok(Chosen { camera, found })
+    Ok(Chosen { camera, seen })
 }
 
 fn named(scene: &Scene, name: &str) -> Result<Camera, Error> {

@@ -1,4 +1,4 @@
-//! A machine that renders: the trait, and the few numbers that say what it shall do.
+//! A machine that renders: the trait, and which settings make sense.
 //!
 //! A back end is given a scene, an eye and settings once, and then batches; the sums stay where they were made until
 //! somebody asks for them. CPU, GPU and cluster are three of them (ARCHITECTURE.md says how each fits).
@@ -9,30 +9,8 @@ use crate::frame::Frame;
 use crate::integrator;
 use crate::scene::Scene;
 use crate::sequence::Sequence;
-use serde::{Deserialize, Serialize};
 
-/// Everything that decides a picture beside scene and eye. Equal settings give equal bits.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Settings {
-    /// Names of the integrators to add up, see [`crate::integrator::ALL`].
-    pub parts: Vec<String>,
-    /// N, light paths started in one batch.
-    pub paths: u32,
-    /// Eye passes of one batch; `None` for one a light path [Keller97, §4.1].
-    pub passes: Option<u32>,
-    /// How generations of particles thin out.
-    pub absorption: Absorption,
-    /// Where the numbers of the walk come from.
-    pub sequence: Sequence,
-    /// c: the clamping radius is c·√(A/M) for M expected virtual lights on an area A; 0 clamps nothing.
-    pub clamp: f32,
-    /// r ≥ 2, independent randomisations among which the batches alternate; their spread is the error.
-    pub replicates: u32,
-    /// Another seed, another picture of the same mean.
-    pub seed: u32,
-    /// Also average albedo, normal, depth and object number of what the eye meets first.
-    pub auxiliary: bool,
-}
+pub use crate::settings::{Absorption, Batch, Rays, Settings, Statistics};
 
 impl Default for Settings {
     fn default() -> Self {
@@ -42,7 +20,7 @@ impl Default for Settings {
             passes: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
-            clamp: 1.0,
+            clamp: 2.0,
             replicates: 4,
             seed: 0,
             auxiliary: false,
@@ -67,74 +45,6 @@ impl Settings {
             return bad("the clamping factor must be finite and not negative");
         }
         integrator::select(&self.parts).map(|_| ())
-    }
-
-    /// Eye passes of one batch.
-    pub fn eye_passes(&self) -> u32 {
-        self.passes.unwrap_or(self.paths)
-    }
-}
-
-/// How generations of particles thin out along the walk.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Absorption {
-    /// Generation j has N·p·qʲ particles in the mean, by a random threshold: unbiased at any N.
-    Fractional,
-    /// Generation j has ⌊N·p·ρ̄ʲ⌋ particles [Keller97, §3.2]: loses the tail of the series in every batch.
-    Paper,
-    /// Each particle is absorbed by chance, in proportion to what its surface absorbs [Keller97, §4.3].
-    Roulette,
-}
-
-impl Absorption {
-    /// All forms with their names on the command line.
-    pub const ALL: &[(&'static str, Absorption)] = &[
-        ("fractional", Absorption::Fractional),
-        ("paper", Absorption::Paper),
-        ("roulette", Absorption::Roulette),
-    ];
-}
-
-/// A unit of work that any machine can reproduce: the b-th block of the settings' sequences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Batch {
-    /// Counts from 0; batch b belongs to randomisation b mod r and is its ⌊b/r⌋-th.
-    pub index: u32,
-}
-
-/// What was done so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Statistics {
-    /// Rays traced, by purpose.
-    pub rays: Rays,
-    /// Light points and virtual point lights made.
-    pub vpls: u64,
-    /// Estimates that were not finite and were left out; anything but 0 is a bug.
-    pub non_finite: u64,
-}
-
-/// Rays by purpose.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Rays {
-    /// From the eye, through mirrors and glass too.
-    pub eye: u64,
-    /// Of the particles.
-    pub particle: u64,
-    /// Between a point and a light or virtual light.
-    pub shadow: u64,
-    /// Short rays that pay back what clamping took, and the shadow rays at their ends.
-    pub compensation: u64,
-    /// Of the path tracer, for `path` and `caustic`.
-    pub path: u64,
-}
-
-impl std::ops::AddAssign for Rays {
-    fn add_assign(&mut self, o: Rays) {
-        self.eye += o.eye;
-        self.particle += o.particle;
-        self.shadow += o.shadow;
-        self.compensation += o.compensation;
-        self.path += o.path;
     }
 }
 

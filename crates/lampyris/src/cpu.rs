@@ -6,13 +6,14 @@ use crate::backend::{Backend, Batch, Rays, Settings, Statistics};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Rect, Sampling, Tile};
-use crate::frame::Frame;
+use crate::frame::{Auxiliary, Frame};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
 use crate::scene::Scene;
 use crate::sequence::{self, jittered_hammersley};
 use crate::world::World;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
 const TILE: u32 = 16;
@@ -47,6 +48,29 @@ impl Cpu {
         Ok(Cpu { pool, job: None })
     }
 
+    /// Does something on the threads of this back end, [`World::new`] for instance.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+
+    /// [`Backend::begin`] with a world that is already built, where a view had to be found in it first.
+    pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        let integrators = integrator::select(&settings.parts)?;
+        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+        let (width, height) = eye.size();
+        self.job = Some(Job {
+            plan: Plan::new(&world, settings),
+            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            statistics: Statistics::default(),
+            settings: settings.clone(),
+            world,
+            eye,
+            integrators,
+        });
+        Ok(())
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
@@ -60,20 +84,8 @@ impl Cpu {
 impl Backend for Cpu {
     fn begin(&mut self, scene: Scene, eye: Eye, settings: &Settings) -> Result<()> {
         settings.check()?;
-        let integrators = integrator::select(&settings.parts)?;
-        let world = self.pool.install(|| World::new(scene));
-        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-        let (width, height) = eye.size();
-        self.job = Some(Job {
-            plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
-            statistics: Statistics::default(),
-            settings: settings.clone(),
-            world,
-            eye,
-            integrators,
-        });
-        Ok(())
+        let world = self.install(|| World::new(scene));
+        self.begin_world(world, eye, settings)
     }
 
     fn add(&mut self, batch: Batch) -> Result<()> {
@@ -93,79 +105,71 @@ impl Backend for Cpu {
     }
 }
 
-/// What one tile of one batch adds to the frame.
+/// Pieces of work that a batch is cut into at least, however small the picture: a handful of meters keeps all threads
+/// busy. A fixed number, since cuts decide the last bits of sums.
+const PIECES: u32 = 64;
+
+/// What some eye passes in one tile add to the frame.
 struct Summed {
     rect: Rect,
     parts: Vec<Vec<Rgb>>,
-    auxiliary: Option<TileAuxiliary>,
+    auxiliary: Option<Auxiliary>,
     rays: Rays,
     non_finite: u64,
-}
-
-/// Sums of the auxiliary planes over a tile.
-struct TileAuxiliary {
-    albedo: Vec<Rgb>,
-    normal: Vec<Rgb>,
-    depth: Vec<f32>,
-    object: Vec<u32>,
 }
 
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
         let (width, height) = self.eye.size();
-        let rects: Vec<Rect> = (0..height)
+        let passes = self.settings.eye_passes();
+        let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
+        let run = passes.div_ceil(PIECES.div_ceil(tiles.max(1)));
+        let pieces: Vec<(Rect, Range<u32>)> = (0..height)
             .step_by(TILE as usize)
             .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| (x, y)))
             .map(|(x, y)| Rect { x, y, width: TILE.min(width - x), height: TILE.min(height - y) })
+            .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
             .collect();
-        let tiles: Vec<Summed> = rects.par_iter().map(|rect| self.render(*rect, batch, &walk)).collect();
+        let done: Vec<Summed> = pieces
+            .par_iter()
+            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
+            .collect();
 
-        let pixels = width as usize * height as usize;
-        let mut planes = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
-        for tile in &tiles {
-            for (plane, part) in planes.iter_mut().zip(&tile.parts) {
-                copy_rows(tile.rect, width, part, plane);
+        let scale = 1.0 / passes as f32;
+        let mut planes = vec![vec![Rgb::BLACK; width as usize * height as usize]; self.integrators.len()];
+        for piece in &done {
+            for (plane, part) in planes.iter_mut().zip(&piece.parts) {
+                for (k, value) in part.iter().enumerate() {
+                    plane[place(piece.rect, width, k)] += *value * scale;
+                }
             }
-            self.statistics.rays += tile.rays;
-            self.statistics.non_finite += tile.non_finite;
+            self.statistics.rays += piece.rays;
+            self.statistics.non_finite += piece.non_finite;
+            if let (Some(sums), Some(part)) = (self.frame.auxiliary_mut(), &piece.auxiliary) {
+                (0..part.depth.len()).for_each(|k| sums.add(place(piece.rect, width, k), part, k));
+            }
+        }
+        if let Some(sums) = self.frame.auxiliary_mut() {
+            sums.samples += passes;
         }
         self.statistics.rays.particle += walk.rays;
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
         self.frame.add(batch.index % self.settings.replicates, &planes);
-        self.add_auxiliary(&tiles, width);
     }
 
-    fn add_auxiliary(&mut self, tiles: &[Summed], width: u32) {
-        let passes = self.settings.eye_passes();
-        let Some(sums) = self.frame.auxiliary_mut() else { return };
-        sums.samples += passes;
-        for tile in tiles {
-            let Some(part) = &tile.auxiliary else { continue };
-            for k in 0..part.depth.len() {
-                let at = place(tile.rect, width, k);
-                sums.albedo[at] += part.albedo[k];
-                sums.normal[at] += part.normal[k];
-                sums.depth[at] += part.depth[k];
-                if sums.object[at] == 0 {
-                    sums.object[at] = part.object[k];
-                }
-            }
-        }
-    }
-
-    /// All eye passes of a batch in one tile: sums divided by the number of passes.
-    fn render(&self, rect: Rect, batch: Batch, walk: &Walk<'_>) -> Summed {
+    /// Some eye passes of a batch in one tile.
+    fn render(&self, rect: Rect, numbers: Range<u32>, batch: Batch, walk: &Walk<'_>) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
-        let passes = self.settings.eye_passes();
         let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
         let mut once = vec![Rgb::BLACK; pixels];
-        let mut auxiliary = self.settings.auxiliary.then(|| TileAuxiliary::new(pixels));
+        let mut auxiliary = self.settings.auxiliary.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
-        for number in 0..passes {
+        let mut tile = self.eye.tile(rect);
+        for number in numbers {
             let sampling = self.sampling(batch, number);
-            let tile = self.eye.look(&self.world, rect, &sampling);
+            self.eye.look(&self.world, &sampling, &mut tile);
             rays.eye += tile.rays;
             let pass = Pass {
                 world: &self.world,
@@ -188,11 +192,9 @@ impl Job {
                 }
             }
             if let Some(sums) = &mut auxiliary {
-                sums.add(&tile);
+                note_first(&tile, sums);
             }
         }
-        let scale = 1.0 / passes as f32;
-        parts.iter_mut().flatten().for_each(|v| *v *= scale);
         Summed { rect, parts, auxiliary, rays, non_finite }
     }
 
@@ -213,40 +215,24 @@ impl Job {
     }
 }
 
-impl TileAuxiliary {
-    fn new(pixels: usize) -> TileAuxiliary {
-        TileAuxiliary {
-            albedo: vec![Rgb::BLACK; pixels],
-            normal: vec![Rgb::BLACK; pixels],
-            depth: vec![0.0; pixels],
-            object: vec![0; pixels],
-        }
-    }
-
-    fn add(&mut self, tile: &Tile<'_>) {
-        for packet in &tile.packets {
-            for k in packet.lanes() {
-                let Some(first) = packet.first[k] else { continue };
-                let at = packet.pixels[k] as usize;
-                self.albedo[at] += first.albedo;
-                self.normal[at] += Rgb::new(first.normal.x, first.normal.y, first.normal.z);
-                self.depth[at] += first.depth;
-                if self.object[at] == 0 {
-                    self.object[at] = first.instance + 1;
-                }
+/// Adds what the paths of a tile met first.
+fn note_first(tile: &Tile<'_>, sums: &mut Auxiliary) {
+    for packet in &tile.packets {
+        for k in packet.lanes() {
+            let Some(first) = packet.first[k] else { continue };
+            let at = packet.pixels[k] as usize;
+            sums.albedo[at] += first.albedo;
+            sums.normal[at] += Rgb::new(first.normal.x, first.normal.y, first.normal.z);
+            sums.depth[at] += first.depth;
+            if sums.object[at] == 0 {
+                sums.object[at] = first.instance + 1;
             }
         }
     }
 }
 
+/// Where in the picture, row by row, a tile's pixel lies.
 fn place(rect: Rect, width: u32, k: usize) -> usize {
-    let (x, y) = (k as u32 % rect.width, k as u32 / rect.width);
-    (rect.y + y) as usize * width as usize + (rect.x + x) as usize
-}
-
-fn copy_rows(rect: Rect, width: u32, from: &[Rgb], to: &mut [Rgb]) {
-    for (row, line) in from.chunks_exact(rect.width as usize).enumerate() {
-        let start = place(rect, width, row * rect.width as usize);
-        to[start..start + rect.width as usize].copy_from_slice(line);
-    }
+    let (x, y) = rect.pixel(k as u32);
+    y as usize * width as usize + x as usize
 }

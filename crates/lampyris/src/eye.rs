@@ -3,12 +3,12 @@
 //! An eye path goes on through sharp lobes (mirrors, glass, polish) by chance; what glows along it, seen directly or
 //! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
 
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::material::Class;
 use crate::scene::View;
 use crate::sequence::{self, ledger::eye as ledger, sobol};
+use crate::settings::Rays;
 use crate::world::{Surface, World};
 use glam::Vec3;
 
@@ -99,14 +99,16 @@ pub struct Packet<'w> {
     pub live: u16,
     /// Of these, lanes with a Lambertian reflector: no BSDF need be evaluated.
     pub lambertian: u16,
+    /// Of these, lanes that no light reaches through the surface: lit from the side of the eye alone.
+    pub opaque: u16,
     /// Off the surface on the side of the eye [m], x y z.
     pub position: [[f32; LANES]; 3],
     /// Shading normals.
     pub shading: [[f32; LANES]; 3],
     /// Geometric normals on the side of the eye.
     pub geometric: [[f32; LANES]; 3],
-    /// The vertices.
-    pub visible: [Option<Visible<'w>>; LANES],
+    /// The vertices of live lanes; others hold what an earlier pass left.
+    visible: [Option<Visible<'w>>; LANES],
     /// What glowed along the path [cd/m²].
     pub emission: [Rgb; LANES],
     /// The first surface met, for the auxiliary planes.
@@ -173,32 +175,50 @@ impl Eye {
         Numbers { index: sampling.index, seed: sequence::hash(sampling.seed, pixel) }
     }
 
-    /// Sends the eye paths of one pass through a rectangle of pixels.
-    pub fn look<'w>(&self, world: &'w World, rect: Rect, sampling: &Sampling) -> Tile<'w> {
-        let mut rays = Rays::default();
-        let mut packets = Vec::new();
+    /// The packets of a rectangle of pixels, as yet without visible points.
+    pub fn tile<'w>(&self, rect: Rect) -> Tile<'w> {
         // Meters lie in one row: there a packet is a run of sixteen.
-        let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
-        for by in (0..rect.height).step_by(bh as usize) {
-            for bx in (0..rect.width).step_by(bw as usize) {
+        let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES, 1) };
+        let mut packets = Vec::new();
+        for by in (0..rect.height).step_by(bh) {
+            for bx in (0..rect.width).step_by(bw) {
                 let mut packet = Packet::empty();
-                for lane in 0..LANES as u32 {
-                    let (x, y) = (bx + lane % bw, by + lane / bw);
+                for (lane, pixel) in packet.pixels.iter_mut().enumerate() {
+                    let (x, y) = (bx + (lane % bw) as u32, by + (lane / bw) as u32);
                     if x < rect.width && y < rect.height {
-                        packet.pixels[lane as usize] = y * rect.width + x;
-                        packet.numbers[lane as usize] = self.numbers(rect.x + x, rect.y + y, sampling);
+                        *pixel = y * rect.width + x;
                     }
-                }
-                match self {
-                    Eye::Camera(view) => {
-                        packet.look_through(world, view, rect, sampling.offset, &mut rays);
-                    }
-                    Eye::Meters(meters) => packet.lay_out(meters, rect),
                 }
                 packets.push(packet);
             }
         }
-        Tile { rect, packets, rays: rays.eye }
+        Tile { rect, packets, rays: 0 }
+    }
+
+    /// Sends the eye paths of one pass through a tile.
+    pub fn look<'w>(&self, world: &'w World, sampling: &Sampling, tile: &mut Tile<'w>) {
+        let mut rays = Rays::default();
+        let rect = tile.rect;
+        for packet in &mut tile.packets {
+            (packet.live, packet.lambertian, packet.opaque) = (0, 0, 0);
+            packet.emission = [Rgb::BLACK; LANES];
+            for k in packet.lanes() {
+                let (x, y) = rect.pixel(packet.pixels[k]);
+                packet.numbers[k] = self.numbers(x, y, sampling);
+            }
+            match self {
+                Eye::Camera(view) => packet.look_through(world, view, rect, sampling.offset, &mut rays),
+                Eye::Meters(meters) => packet.lay_out(meters, rect),
+            }
+        }
+        tile.rays = rays.eye;
+    }
+}
+
+impl Rect {
+    /// Picture coordinates of a pixel of the rectangle, counted row by row.
+    pub fn pixel(&self, k: u32) -> (u32, u32) {
+        (self.x + k % self.width, self.y + k / self.width)
     }
 }
 
@@ -208,6 +228,7 @@ impl<'w> Packet<'w> {
             pixels: [u32::MAX; LANES],
             live: 0,
             lambertian: 0,
+            opaque: 0,
             position: [[0.0; LANES]; 3],
             shading: [[0.0; LANES]; 3],
             geometric: [[0.0; LANES]; 3],
@@ -216,6 +237,11 @@ impl<'w> Packet<'w> {
             first: [None; LANES],
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
         }
+    }
+
+    /// The vertex of a lane.
+    pub fn visible(&self, k: usize) -> Option<&Visible<'w>> {
+        if self.live >> k & 1 == 1 { self.visible[k].as_ref() } else { None }
     }
 
     /// Lanes within the picture.
@@ -237,7 +263,7 @@ impl<'w> Packet<'w> {
         let mut live = 0u16;
         let lanes: Vec<usize> = self.lanes().collect();
         for &k in &lanes {
-            let (x, y) = (rect.x + self.pixels[k] % rect.width, rect.y + self.pixels[k] / rect.width);
+            let (x, y) = rect.pixel(self.pixels[k]);
             let d = view.ray(x as f32 + offset[0], y as f32 + offset[1]).direction;
             (directions[0][k], directions[1][k], directions[2][k]) = (d.x, d.y, d.z);
             live |= 1 << k;
@@ -246,15 +272,23 @@ impl<'w> Packet<'w> {
         let hits = world.tracer().closest16(view.eye(), &directions, live);
         for k in lanes {
             let ray = Ray::new(view.eye(), Vec3::new(directions[0][k], directions[1][k], directions[2][k]));
-            let first = hits.get(k).map(|hit| world.surface(ray.direction, &hit));
-            self.first[k] = first.as_ref().map(|s| First {
+            let hit = hits.get(k);
+            let first = hit.map(|hit| world.surface(ray.direction, &hit));
+            self.first[k] = first.as_ref().zip(hit).map(|(s, hit)| First {
                 albedo: s.finish.sharp + s.finish.dull,
                 normal: s.shading,
-                depth: (s.position - view.eye()).length(),
+                depth: hit.t,
                 instance: s.instance,
             });
-            if let Some(x) = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays) {
-                self.set(k, x.surface, x.throughput);
+            match first {
+                Some(surface) if !surface.finish.is_sharp_or_glows() && !world.has_lamps() => {
+                    self.set(k, surface, Rgb::WHITE);
+                }
+                _ => {
+                    if let Some(x) = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays) {
+                        self.set(k, x.surface, x.throughput);
+                    }
+                }
             }
         }
     }
@@ -263,6 +297,9 @@ impl<'w> Packet<'w> {
         self.live |= 1 << k;
         if surface.finish.lambertian.is_some() {
             self.lambertian |= 1 << k;
+        }
+        if !surface.finish.transmits {
+            self.opaque |= 1 << k;
         }
         let p = surface.spawn(surface.wo);
         for axis in 0..3 {

@@ -35,6 +35,28 @@ pub struct Auxiliary {
     pub samples: u32,
 }
 
+impl Auxiliary {
+    pub(crate) fn new(pixels: usize) -> Auxiliary {
+        Auxiliary {
+            albedo: vec![Rgb::BLACK; pixels],
+            normal: vec![Rgb::BLACK; pixels],
+            depth: vec![0.0; pixels],
+            object: vec![0; pixels],
+            samples: 0,
+        }
+    }
+
+    /// Adds pixel `from` of `other` to pixel `at`.
+    pub(crate) fn add(&mut self, at: usize, other: &Auxiliary, from: usize) {
+        self.albedo[at] += other.albedo[from];
+        self.normal[at] += other.normal[from];
+        self.depth[at] += other.depth[from];
+        if self.object[at] == 0 {
+            self.object[at] = other.object[from];
+        }
+    }
+}
+
 impl Frame {
     /// An empty frame.
     pub fn new(width: u32, height: u32, parts: &[&str], replicates: u32, auxiliary: bool) -> Frame {
@@ -45,13 +67,7 @@ impl Frame {
             parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
             replicates: vec![vec![Rgb::BLACK; pixels]; replicates as usize],
             batches: vec![0; replicates as usize],
-            auxiliary: auxiliary.then(|| Auxiliary {
-                albedo: vec![Rgb::BLACK; pixels],
-                normal: vec![Rgb::BLACK; pixels],
-                depth: vec![0.0; pixels],
-                object: vec![0; pixels],
-                samples: 0,
-            }),
+            auxiliary: auxiliary.then(|| Auxiliary::new(pixels)),
         }
     }
 
@@ -135,5 +151,21 @@ impl Frame {
             nk * (sum(*k) / nk - mean).powi(2)
         });
         (squares.sum::<f64>() / (used.len() - 1) as f64 / n).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_interval_is_students() {
+        let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+        for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
+            frame.add(k, &[vec![Rgb::grey(v)]]);
+        }
+        // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.
+        assert!((frame.standard_error(0) - (5.0f32 / 12.0).sqrt()).abs() < 1e-6);
+        assert!((frame.student_factor() - 3.182_446).abs() < 1e-5);
     }
 }

@@ -3,12 +3,12 @@
 //! Each light has its own sub-sequence and a fixed share of the paths; a vertex' flux is already divided by the
 //! expected number of particles of its generation. Nothing here knows of pixels.
 
-use crate::backend::{Absorption, Batch, Settings};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::light::Shine;
 use crate::material::{Bsdf, Class};
 use crate::sequence::{self, ledger::light as ledger, radical_inverse};
+use crate::settings::{Absorption, Batch, Settings};
 use crate::world::{Surface, World};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -38,10 +38,9 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of each emitter [m⁻²].
-    pub emitter_bounds: Vec<f32>,
-    /// Length of the ray beyond which no emitter's geometry term exceeds its bound [m].
-    pub emitter_reach: f32,
+    /// b for the points of emitters [m⁻²]: one for all, since each of their N paths carries the same light, whose
+    /// place is known to within the emitters' mean area, Σ p_ℓ A_ℓ.
+    pub emitter_bound: f32,
     absorption: Absorption,
     /// x₀ of each emitter: its expected (or floored) number of paths.
     starts: Vec<f64>,
@@ -83,18 +82,12 @@ impl Plan {
             if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
         };
         let q = f64::from(survival);
-        let emitter_bounds: Vec<f32> = world
-            .emitters()
-            .iter()
-            .zip(&starts)
-            .map(|(e, x0)| if *x0 > 0.0 { bound_of(f64::from(e.area()), *x0) } else { f32::INFINITY })
-            .collect();
-        let weakest = emitter_bounds.iter().copied().fold(f32::INFINITY, f32::min);
+        let shares = world.shares().iter().copied().map(f64::from);
+        let emitting = world.emitters().iter().zip(shares).map(|(e, p)| p * f64::from(e.area())).sum();
         Plan {
             survival,
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
-            emitter_reach: 1.0 / weakest.sqrt(),
-            emitter_bounds,
+            emitter_bound: bound_of(emitting, n),
             absorption: settings.absorption,
             starts,
         }
@@ -231,7 +224,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         position: point.position,
         shine: point.shine,
         intensity: point.intensity * (share / plan.expected(path.emitter, 0) as f32),
-        bound: plan.emitter_bounds[path.emitter],
+        bound: plan.emitter_bound,
         gloss: None,
     };
 
@@ -292,11 +285,11 @@ fn deposit<'w>(y: &Surface<'w>, flux: Rgb, bound: f32, vertices: &mut Vec<Vpl<'w
             leave(y.normal, flux * m.reflectance * FRAC_1_PI, None);
             leave(-y.normal, flux * m.transmittance * FRAC_1_PI, None);
         }
-        other => match y.finish.lambertian {
+        _ => match y.finish.lambertian {
             Some(rho) => leave(y.normal, flux * rho * FRAC_1_PI, None),
             None => {
                 leave(y.normal, flux, Some(*y));
-                if other.transmits() {
+                if y.finish.transmits {
                     leave(-y.normal, flux, Some(*y));
                 }
             }

@@ -45,7 +45,7 @@ pub fn uniform_cap(u: [f32; 2], height: f32) -> Vec3 {
     Vec3::new(r * cos, r * sin, 1.0 - gap)
 }
 
-/// Uniform on the unit disc (the concentric map of Shirley and Chiu).
+/// Uniform on the unit disc by the concentric map [Shirley and Chiu 1997].
 pub fn concentric_disc(u: [f32; 2]) -> [f32; 2] {
     let (a, b) = (2.0 * u[0] - 1.0, 2.0 * u[1] - 1.0);
     if a == 0.0 && b == 0.0 {

@@ -139,12 +139,17 @@ impl World {
         self.mean_reflectance
     }
 
+    /// True if rays may pass through the glow of a sphere or disc.
+    pub fn has_lamps(&self) -> bool {
+        !self.lamps.is_empty()
+    }
+
     /// True if any surface has sharp lobes: without them there are no caustics.
     pub fn has_sharp_surfaces(&self) -> bool {
         self.finishes.iter().any(|f| !f.sharp.is_black())
     }
 
-    /// The first surface on a ray.
+    /// The first surface on a ray of unit direction.
     pub fn closest(&self, ray: &Ray) -> Option<Surface<'_>> {
         self.tracer.closest(ray).map(|hit| self.surface(ray.direction, &hit))
     }
@@ -154,11 +159,11 @@ impl World {
         !self.tracer.blocked(a, b)
     }
 
-    /// The surface at a hit, seen along `direction` [any length].
+    /// The surface at a hit, seen along the unit vector `direction`.
     pub fn surface(&self, direction: Vec3, hit: &Hit) -> Surface<'_> {
         let facet = self.facets.get(hit.instance, hit.triangle);
         let finish = &self.finishes[facet.material as usize];
-        let wo = -direction.normalize();
+        let wo = -direction;
         // A triangle without area is never hit; a hit edge-on may find either side.
         let front = wo.dot(facet.normal) >= 0.0;
         let side = if front { 1.0 } else { -1.0 };

@@ -14,7 +14,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// From a unit normal (the construction of Duff et al. 2017, "Building an orthonormal basis, revisited").
+    /// From a unit normal [Duff et al. 2017].
     pub fn new(n: Vec3) -> Frame {
         let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
         let a = -1.0 / (sign + n.z);

@@ -1,5 +1,5 @@
 //! Where rays leave a surface: far enough from it that no rounding puts them behind it again, and no farther.
-//! [Pharr, Jakob & Humphreys 2016, §3.9.4–5], whose bound is doubled so that it also covers the rounded corners of
+//! [Pharr et al. 2016, §3.9.4–5], whose bound is doubled so that it also covers the rounded corners of
 //! coplanar neighbours. It knows of triangles only, not of curved surfaces that they may stand for.
 
 use glam::Vec3;

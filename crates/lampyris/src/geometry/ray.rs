@@ -5,7 +5,7 @@ use glam::Vec3;
 /// A half-line or segment: points `origin + t·direction` for 0 < t < `t_max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Start [m, world]. Rays that leave a surface start at [`crate::scene::Surface::spawn`], never on it.
+    /// Start [m, world]. Rays that leave a surface start at `Surface::spawn`, never on it.
     pub origin: Vec3,
     /// Direction; any length, t is counted in it.
     pub direction: Vec3,

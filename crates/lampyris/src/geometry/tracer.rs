@@ -63,9 +63,10 @@ struct Shared {
 struct Instance {
     place: Placed,
     tree: u32,
-    inverse: Affine3A,
-    /// Bounds what rays lack in precision in mesh space: a part of the distance of their origin, and a constant.
-    error: [f32; 2],
+    /// Rows of the inverse matrix, in f64 so that only the rounding of the placed corners is left.
+    inverse: [[f64; 3]; 3],
+    /// Bounds that rounding, carried back into mesh space.
+    error: f32,
 }
 
 /// Beyond this, products of coordinates leave f32.
@@ -226,7 +227,6 @@ impl Instance {
             let pick = |axis: usize| if i >> axis & 1 == 0 { mesh.lower[axis] } else { mesh.upper[axis] };
             transform.transform_point3(Vec3::new(pick(0), pick(1), pick(2)))
         });
-        let inverse = transform.inverse();
         // Rounding of a transformed vertex: 4 operations on terms no larger than this.
         let m = transform.matrix3;
         let farthest = mesh.lower.abs().max(mesh.upper.abs());
@@ -235,27 +235,41 @@ impl Instance {
         let bounds = Bounds::of(&corners);
         let margin = Vec3::splat(size.max_element() * 8.0 * f32::EPSILON);
         let bounds = Bounds { lower: bounds.lower - margin, upper: bounds.upper + margin };
-        // In mesh space: the same carried back, the rounding of the inverse, of the origin and of the direction over
-        // the way it goes. Conditioned by ‖M⁻¹‖, which multiplies all of it.
-        let i = inverse.matrix3;
-        let norm = (i.x_axis.abs() + i.y_axis.abs() + i.z_axis.abs()).max_element();
-        let condition = norm * (m.x_axis.abs() + m.y_axis.abs() + m.z_axis.abs()).max_element();
-        let share = 16.0 * f32::EPSILON * norm * condition.max(1.0);
+        let inverse = inverse(transform);
+        let norm =
+            inverse.map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).into_iter().fold(0.0, f64::max);
+        let error = norm as f32 * margin.x;
         let place = Placed {
             instance: number,
             transform: *transform,
             mirrored: transform.matrix3.determinant() < 0.0,
         };
-        (Instance { place, tree, inverse, error: [share, share * size.max_element()] }, bounds)
+        (Instance { place, tree, inverse, error }, bounds)
     }
 
     /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
     fn prepare(&self, ray: &Prepared, tree: &Tree) -> Prepared {
-        let origin = self.inverse.transform_point3(ray.line.origin);
-        let direction = self.inverse.transform_vector3(ray.line.direction);
-        let error = self.error[0] * ray.line.origin.abs().max_element() + self.error[1];
+        let apply = |x: [f64; 3]| {
+            Vec3::from_array(self.inverse.map(|r| (r[0] * x[0] + r[1] * x[1] + r[2] * x[2]) as f32))
+        };
+        let at = self.place.transform.translation;
+        let origin = apply([0, 1, 2].map(|a| f64::from(ray.line.origin[a]) - f64::from(at[a])));
+        let direction = apply(ray.line.direction.to_array().map(f64::from));
+        let error = self.error + origin.abs().max_element() * 4.0 * f32::EPSILON;
         Prepared { slab: Slab::new(origin, direction, &tree.bounds(), error), ..*ray }
     }
+}
+
+/// Rows of the inverse of the matrix, by cofactors.
+fn inverse(transform: &Affine3A) -> [[f64; 3]; 3] {
+    let m = transform.matrix3;
+    let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis].map(|v| v.to_array().map(f64::from));
+    let cross = |u: [f64; 3], v: [f64; 3]| {
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    };
+    let rows = [cross(b, c), cross(c, a), cross(a, b)];
+    let determinant = a[0] * rows[0][0] + a[1] * rows[0][1] + a[2] * rows[0][2];
+    rows.map(|row| row.map(|x| x / determinant))
 }
 
 fn sound(ray: &Ray) -> bool {

@@ -3,9 +3,9 @@
 
 use super::path::{Scope, Start, trace};
 use super::{Integrator, Pass, STRIDE, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::Tile;
+use crate::settings::Rays;
 
 /// Paths L (S|D)* S D S* E.
 pub(super) struct Caustic;
@@ -26,7 +26,7 @@ impl Integrator for Caustic {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed >> 16)) {
+                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 16)) {
                     let start = Start::Surface(x.surface);
                     let found = trace(pass.world, start, Scope::Caustics, numbers.branch(b's'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * found.caustic * STRIDE as f32;

@@ -5,16 +5,19 @@
 //! paths are *caustic*'s.
 
 use super::{Integrator, Pass, STRIDE, direct, gather, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
+use crate::settings::Rays;
 use crate::world::Surface;
 
 /// Vertices after which even the surest roulette ends.
 const MAX_VERTICES: u32 = 64;
+
+/// Virtual lights that stand for all of them at the end of a short ray.
+const VPLS: usize = 4;
 
 /// Paths L (S|D)* D D S* E, beyond the clamp.
 pub(super) struct Compensation;
@@ -35,7 +38,7 @@ impl Integrator for Compensation {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed >> 8)) {
+                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 8)) {
                     let paid = beyond_clamp(pass, x.surface, numbers.branch(b'c'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
                 }
@@ -64,7 +67,14 @@ fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays:
         throughput *= s.weight * (1.0 - b / g);
         // L_r(y): direct light, clamped virtual lights, and what the clamp takes there in turn.
         let reflected = direct::at(pass, &y, numbers.branch(vertex + 1), rays)
-            + gather::from_lights(world, &y, pass.vpls, &mut rays.compensation);
+            + gather::from_some_lights(
+                world,
+                &y,
+                pass.vpls,
+                VPLS,
+                numbers.one(ledger::light(vertex)),
+                &mut rays.compensation,
+            );
         sum += throughput * reflected;
         let stay = throughput.max_channel().clamp(0.0, 1.0);
         if numbers.one(ledger::roulette(vertex)) >= stay {

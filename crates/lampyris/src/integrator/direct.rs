@@ -4,14 +4,17 @@
 //! BSDF pays back exactly what the clamp took, so that a lamp 1 mm under a ceiling makes no spikes and loses nothing.
 
 use super::{Integrator, Pass, STRIDE, gather, turn_of};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
 use crate::light::Emitter;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
+use crate::settings::Rays;
 use crate::world::Surface;
+
+/// Light points that stand for all of them where a single point is shaded.
+const LIGHTS: usize = 2;
 
 /// Paths L D S* E.
 pub(super) struct Direct;
@@ -27,13 +30,13 @@ impl Integrator for Direct {
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         gather::tile(pass, tile, pass.lights, out, &mut rays.shadow);
-        if pass.plan.emitter_reach == 0.0 {
+        if pass.plan.emitter_bound == f32::INFINITY {
             return;
         }
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible[k].as_ref().filter(|_| turn_of(pass, numbers.seed)) {
+                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed)) {
                     let near = near_light(pass, &x.surface, numbers.branch(b'd'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * near * STRIDE as f32;
                 }
@@ -44,38 +47,38 @@ impl Integrator for Direct {
 
 /// Radiance at one point by all direct light: the clear, scalar form.
 pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Rays) -> Rgb {
-    let far = gather::from_lights(pass.world, x, pass.lights, &mut rays.compensation);
+    let u = numbers.one(ledger::light(0));
+    let far = gather::from_some_lights(pass.world, x, pass.lights, LIGHTS, u, &mut rays.compensation);
     far + near_light(pass, x, numbers, rays)
 }
 
 /// What clamping took from lights nearby: (G − b)⁺/G of the light that a short ray meets.
 fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Rays) -> Rgb {
-    let (world, plan) = (pass.world, pass.plan);
-    if plan.emitter_reach == 0.0 {
+    let (world, b) = (pass.world, pass.plan.emitter_bound);
+    if b == f32::INFINITY {
         return Rgb::BLACK;
     }
     let u = numbers.pair(ledger::direction(0));
     let Some(s) = x.sample(Class::Dull, u, numbers.one(ledger::lobe(0))) else { return Rgb::BLACK };
-    let ray = Ray { origin: x.spawn(s.wi), direction: s.wi, t_max: plan.emitter_reach };
+    // G > b only within 1/√b.
+    let reach = 1.0 / b.sqrt();
+    let ray = Ray { origin: x.spawn(s.wi), direction: s.wi, t_max: reach };
     rays.compensation += 1;
     let met = world.closest(&ray);
     let cos_x = x.cosine(s.wi);
-    let taken = |emitter: u32, distance: f32, cos_y: f32| {
-        let (g, b) = (cos_x * cos_y / (distance * distance), plan.emitter_bounds[emitter as usize]);
+    let taken = |distance: f32, cos_y: f32| {
+        let g = cos_x * cos_y / (distance * distance);
         if g > b { 1.0 - b / g } else { 0.0 }
     };
     let mut sum = Rgb::BLACK;
-    let t_max = met.as_ref().map_or(plan.emitter_reach, |y| (y.position - ray.origin).length());
+    let t_max = met.as_ref().map_or(reach, |y| (y.position - ray.origin).length());
     world.glows(ray.origin, ray.direction, t_max, |glow| {
         if !matches!(world.emitters()[glow.emitter as usize], Emitter::Environment { .. }) {
-            sum += glow.radiance * taken(glow.emitter, glow.distance, glow.cosine);
+            sum += glow.radiance * taken(glow.distance, glow.cosine);
         }
     });
-    if let Some(y) = met.filter(|y| !y.emission().is_black())
-        && let Some(k) = world.emitter_of(&y)
-    {
-        let distance = (y.position - x.position).length();
-        sum += y.emission() * taken(k, distance, y.normal.dot(y.wo).abs());
+    if let Some(y) = met.filter(|y| !y.emission().is_black()) {
+        sum += y.emission() * taken((y.position - x.position).length(), y.normal.dot(y.wo).abs());
     }
     sum * s.weight
 }

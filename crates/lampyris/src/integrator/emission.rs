@@ -2,9 +2,9 @@
 //! vertex, L S* E. The eye pass has found it already; this integrator hands it on.
 
 use super::{Integrator, Pass};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::Tile;
+use crate::settings::Rays;
 
 /// Paths L S* E.
 pub(super) struct Emission;

@@ -53,18 +53,24 @@ fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
     }
 }
 
-/// Radiance that the dull lobes of `x` send toward its `wo` by one light's light [cd/m²].
-pub fn from_light(world: &World, x: &Surface<'_>, light: &Vpl<'_>, rays: &mut u64) -> Rgb {
+/// Radiance that the dull lobes of `x` send toward its `wo` by an unblocked light of geometry term `g` [cd/m²].
+fn reflected(x: &Surface<'_>, light: &Vpl<'_>, g: f32) -> Rgb {
     let wi = direction(light, x.position);
     let f = x.eval(Class::Dull, x.wo, wi);
+    if f.is_black() { Rgb::BLACK } else { f * intensity(light, wi) * g }
+}
+
+/// Radiance that the dull lobes of `x` send toward its `wo` by one light's light [cd/m²].
+pub fn from_light(world: &World, x: &Surface<'_>, light: &Vpl<'_>, rays: &mut u64) -> Rgb {
     let g = geometry_term(light, x.position, x.shading);
-    if f.is_black() || !(g > 0.0) {
+    if g.is_nan() || g <= 0.0 {
         return Rgb::BLACK;
     }
-    let value = f * intensity(light, wi) * g;
+    let value = reflected(x, light, g);
     if value.is_black() {
         return Rgb::BLACK;
     }
+    let wi = direction(light, x.position);
     *rays += 1;
     let from = x.spawn(wi);
     let blocked = match light.shine {
@@ -79,12 +85,27 @@ pub fn from_lights(world: &World, x: &Surface<'_>, lights: &[Vpl<'_>], rays: &mu
     lights.iter().map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b)
 }
 
+/// An unbiased estimate of [`from_lights`] by about `most` of the lights: every n-th, from a start that `u` draws.
+pub fn from_some_lights(
+    world: &World,
+    x: &Surface<'_>,
+    lights: &[Vpl<'_>],
+    most: usize,
+    u: f32,
+    rays: &mut u64,
+) -> Rgb {
+    let every = lights.len().div_ceil(most).max(1);
+    let start = (u * every as f32) as usize;
+    let some = lights.iter().skip(start).step_by(every);
+    some.map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b) * every as f32
+}
+
 /// Adds what every point of a tile receives from a list of lights.
 pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let radiance = packet(pass.world, p, lights, rays);
         for k in p.lanes() {
-            if let Some(x) = &p.visible[k] {
+            if let Some(x) = p.visible(k) {
                 out[p.pixels[k] as usize] += x.throughput * radiance[k];
             }
         }
@@ -96,34 +117,45 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
     let mut irradiance = [Rgb::BLACK; LANES];
     let mut radiance = [Rgb::BLACK; LANES];
     for light in lights {
-        let plain = light.gloss.is_none() && !matches!(light.shine, Shine::Distant);
-        let together = if plain { p.lambertian } else { 0 };
-        if together != 0 {
-            let (g, lit) = geometry_terms(light, p, together);
-            if lit != 0 {
-                *rays += u64::from(lit.count_ones());
-                let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
-                for k in (0..LANES).filter(|k| seen & (1 << k) != 0) {
-                    irradiance[k] += light.intensity * g[k];
+        let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
+        let (g, lit) = geometry_terms(light, p, together);
+        if lit != 0 {
+            *rays += u64::from(lit.count_ones());
+            let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
+            let plain = if light.gloss.is_none() { p.lambertian } else { 0 };
+            for k in lanes(seen & plain) {
+                irradiance[k] += light.intensity * g[k];
+            }
+            for k in lanes(seen & !plain) {
+                if let Some(x) = p.visible(k) {
+                    radiance[k] += reflected(&x.surface, light, g[k]);
                 }
             }
         }
-        for k in (0..LANES).filter(|k| (p.live & !together) & (1 << k) != 0) {
-            if let Some(x) = &p.visible[k] {
+        for k in lanes(p.live & !together) {
+            if let Some(x) = p.visible(k) {
                 radiance[k] += from_light(world, &x.surface, light, rays);
             }
         }
     }
-    for k in (0..LANES).filter(|k| p.lambertian & (1 << k) != 0) {
-        if let Some(rho) = p.visible[k].as_ref().and_then(|x| x.surface.finish.lambertian) {
+    for k in lanes(p.lambertian) {
+        if let Some(rho) = p.visible(k).and_then(|x| x.surface.finish.lambertian) {
             radiance[k] += rho * irradiance[k] * FRAC_1_PI;
         }
     }
     radiance
 }
 
-/// `geometry_term` for sixteen Lambertian reflectors, and the lanes where it is not zero.
-fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, lanes: u16) -> ([f32; LANES], u16) {
+/// Numbers of the bits set.
+fn lanes(mask: u16) -> impl Iterator<Item = usize> {
+    (0..LANES).filter(move |k| mask >> k & 1 == 1)
+}
+
+/// `geometry_term` for sixteen opaque reflectors, and the lanes where it is not zero.
+fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, of: u16) -> ([f32; LANES], u16) {
+    if of == 0 {
+        return ([0.0; LANES], 0);
+    }
     let y = light.position;
     let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut cos_y = [1.0; LANES];
@@ -163,5 +195,5 @@ fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, lanes: u16) -> ([f32; LANES],
     for k in 0..LANES {
         lit |= u16::from(g[k] > 0.0 && front[k] > 0.0) << k;
     }
-    (g, lit & lanes)
+    (g, lit & of)
 }

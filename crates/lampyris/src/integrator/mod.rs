@@ -12,11 +12,11 @@ pub mod gather;
 mod path;
 mod vpl;
 
-use crate::backend::{Rays, Settings};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Sampling, Tile};
 use crate::particle::{Plan, Vpl};
+use crate::settings::{Rays, Settings};
 use crate::world::World;
 
 /// What all tiles of one eye pass share.
@@ -91,7 +91,7 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.
-pub(crate) const STRIDE: u32 = 4;
+pub(crate) const STRIDE: u32 = 2;
 
 /// True in the passes whose turn it is. `phase` is a random number of the pixel, so that the mean is exact.
 pub(crate) fn turn_of(pass: &Pass<'_>, phase: u32) -> bool {

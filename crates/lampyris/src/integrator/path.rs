@@ -4,12 +4,12 @@
 //! It covers every path but caustics of point, spot and directional lights, which no path from the eye can find.
 
 use super::{Integrator, Pass};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::{Eye, Numbers, Tile, balance};
 use crate::geometry::Ray;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
+use crate::settings::Rays;
 use crate::world::{Surface, World};
 
 /// Vertices after which a path is continued by roulette.

@@ -2,9 +2,9 @@
 //! clamped [Keller97, §3]. What the clamp takes is the part *compensation*.
 
 use super::{Integrator, Pass, gather};
-use crate::backend::Rays;
 use crate::color::Rgb;
 use crate::eye::Tile;
+use crate::settings::Rays;
 
 /// Paths L (S|D)* D D S* E, up to the clamp.
 pub(super) struct VirtualLights;

@@ -1,6 +1,6 @@
 //! Tone curves: from exposed light (1 = display white) to display light in [0, 1].
-//! Reinhard et al. 2002, "Photographic tone reproduction for digital images"; Narkowicz 2015, "ACES filmic tone mapping
-//! curve". Only display formats pass here; negative channels end here and nowhere earlier.
+//! Global operators only [Reinhard et al. 2002; Narkowicz 2015]. Only display formats pass here; negative channels end
+//! here and nowhere earlier.
 
 use crate::color::Rgb;
 

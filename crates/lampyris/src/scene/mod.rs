@@ -1,11 +1,13 @@
 //! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
 
 mod camera;
+mod sight;
 mod summary;
 mod upward;
 mod viewpoint;
 
 pub use camera::{Camera, View};
+pub use sight::Seen;
 pub use summary::Summary;
 pub use upward::upward;
 pub use viewpoint::{Found, find_view};

@@ -18,19 +18,22 @@ pub(super) struct Facet {
     pub(super) area: f32,
     /// Material index.
     pub(super) material: u32,
+    /// Instance index.
+    pub(super) instance: usize,
 }
 
 /// One triangle; `None` where it is not there, only in part, or without area.
 pub(super) fn facet(scene: &Scene, instance: usize, triangle: usize) -> Option<Facet> {
-    let instance = scene.instances.get(instance)?;
-    let mesh = scene.meshes.get(instance.mesh as usize)?;
+    let placed = scene.instances.get(instance)?;
+    let mesh = scene.meshes.get(placed.mesh as usize)?;
     let [a, b, c] = mesh.triangles.get(triangle)?.map(|i| mesh.positions.get(i as usize));
-    let corners = [*a?, *b?, *c?].map(|p| instance.transform.transform_point3(p));
-    let mirrored = if instance.transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
+    let corners = [*a?, *b?, *c?].map(|p| placed.transform.transform_point3(p));
+    let mirrored = if placed.transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
     let cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]) * mirrored;
     let area = cross.length() * 0.5;
     let material = mesh.materials.get(triangle).copied().unwrap_or(0);
-    (area > 0.0 && area.is_finite()).then(|| Facet { corners, normal: cross / (2.0 * area), area, material })
+    let normal = cross / (2.0 * area);
+    (area > 0.0 && area.is_finite()).then_some(Facet { corners, normal, area, material, instance })
 }
 
 /// Every triangle, in the order of the scene; made anew at each pass, since a list would outweigh the scene.

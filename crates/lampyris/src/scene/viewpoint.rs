@@ -1,32 +1,44 @@
-//! A good view of a scene that has no camera: inside, at eye height, clear of what stands near, seeing most of the room.
-//! A search over standing places and directions that counts the surface points each of them sees; no paper.
-//! Deterministic: the same scene has the same view on every machine. It looks for no beauty.
+//! A good view of a scene that has no camera: inside, at eye height, clear of what stands near, seeing most of the room;
+//! or from before the opening, where a wall is missing. A search from coarse to fine over standing places and directions
+//! that counts what each of them shows; no paper. Deterministic, and it looks for no beauty.
 
+use super::sight::{Frustum, Look, PROBES, Room, Seen, probe, spread};
 use super::upward::{bounds, facet, facets, upward};
 use super::{Camera, Scene};
 use crate::geometry::{Frame, Hit, Ray};
 use crate::material::Sides;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::TAU;
 
-/// Vertical field of view of a found camera [degrees].
+/// Vertical field of view of a camera in a room, and of one before it [degrees].
 const FOV_Y: f32 = 65.0;
+const FOV_Y_OUTSIDE: f32 = 40.0;
 
 /// Standing places tried along each horizontal axis.
 const GRID: usize = 16;
 
-/// Directions in which a standing place is felt out.
-const PROBES: usize = 256;
-
 /// A room encloses at least this share of the directions from a place in it.
 const ENCLOSED: f32 = 0.55;
+
+/// A wall is missing if this share of the glances towards it, from all over the room, ends nowhere.
+const OPEN: f32 = 0.3;
 
 /// Surface points that views are measured by.
 const POINTS: usize = 1024;
 
-/// Compass directions tried at a standing place.
+/// Places whose sight together is what can be seen of a room at all.
+const WITNESSES: usize = 32;
+
+/// The coarse search: probes of a place, every how many points, headings.
+const COARSE: (usize, usize, usize) = (64, 8, 24);
+
+/// Places that the fine search looks at.
+const FINALISTS: usize = 12;
+
+/// Compass directions tried at a finalist, each at several pitches.
 const HEADINGS: usize = 48;
+const PITCHES: usize = 4;
 
 /// Eye height of a standing person [m], in rooms between these heights [m]; a share of the height elsewhere, where the
 /// unit may not be the metre at all.
@@ -41,9 +53,8 @@ pub struct Found {
     pub camera: Camera,
     /// The upward unit vector, stated by the scene or found.
     pub up: Vec3,
-    /// Share of the surface points visible from any standing place that this view sees, furniture and walls each
-    /// counting half.
-    pub seen: f32,
+    /// What the view shows of the room.
+    pub seen: Seen,
 }
 
 /// Finds a view. `trace` returns the nearest hit of a ray; `aspect` is width / height of the picture.
@@ -69,39 +80,52 @@ struct Column {
     ceiling: f32,
 }
 
-/// A place to stand, and how far one sees from it in each probe direction [m; infinite where nothing is].
+/// A place to stand.
 struct Place {
     eye: Vec3,
-    reach: Vec<f32>,
+    /// How far one sees from it in some directions [m; infinite where nothing is].
+    reach: Vec<(Vec3, f32)>,
     /// Share of the directions that end at a wall's front; its back counts half.
     enclosed: f32,
 }
 
-/// A point of a surface that one may want to see.
-struct Point {
-    position: Vec3,
-    furniture: bool,
+impl Place {
+    fn nearest(&self) -> f32 {
+        self.reach.iter().fold(f32::INFINITY, |nearest, (_, r)| nearest.min(*r))
+    }
 }
 
 impl Search<'_> {
-    /// The best view from within a room, if there is a room.
+    /// The best view of a room, if there is a room.
     fn inside(&self) -> Option<Found> {
         let (floor, ceiling, columns) = self.storey()?;
         let height = ceiling - floor;
         let eye = floor + if ROOM_HEIGHTS.contains(&height) { EYE_HEIGHT } else { EYE_SHARE * height };
-        let places = self.places(&columns, eye, 0.1 * height)?;
-        let (points, sees) = self.points(&places, floor, ceiling);
-        let (lo, hi) = bounds(points.iter().map(|p| p.position));
-        let size = (hi - lo).length();
-        let best = (places.par_iter().zip(&sees))
-            .map(|(place, sees)| self.best_heading(place, &points, sees, 0.15 * size))
-            .collect::<Vec<_>>()
-            .into_iter()
-            .zip(&places)
-            .reduce(|a, b| if b.0.score > a.0.score { b } else { a })?;
-        let (look, place) = best;
-        let target = place.eye + look.forward * (0.5 * size);
-        Some(Found { camera: self.camera(place.eye, target), up: self.axes.n, seen: look.seen })
+        let clear = 0.1 * height;
+        let places = self.places(&columns, eye, clear)?;
+        let room = self.room(&places, floor, ceiling);
+        let size = (room.hi - room.lo).length();
+        let near = 0.15 * size;
+
+        let finalists = self.finalists(&places, &room, near);
+        let looks: Vec<(Look, Vec3)> = (finalists.par_iter())
+            .filter_map(|place| {
+                let fine = self.place(place.eye, PROBES);
+                // The coarse probes may have missed what stands close by.
+                (fine.nearest() >= clear || finalists.len() == 1)
+                    .then(|| (self.best_heading(&fine, &room, 1, HEADINGS, PITCHES, near), place.eye))
+            })
+            .collect();
+        let openings = self.openings(&places, &room).map(|(eye, forward)| {
+            let mut fine = self.place(eye, PROBES);
+            // The void beside an opening is not to blame on the view: the whole opening shall be in it.
+            fine.reach.retain(|(_, r)| r.is_finite());
+            (self.look(&fine, &room, &self.visible(eye, &room, 1), forward, FOV_Y_OUTSIDE, near), eye)
+        });
+        let (look, eye) =
+            looks.into_iter().chain(openings).reduce(|a, b| if b.0.score > a.0.score { b } else { a })?;
+        let camera = self.camera(eye, eye + look.forward * (0.5 * size), look.fov_y);
+        Some(Found { camera, up: self.axes.n, seen: look.seen })
     }
 
     /// A view of the whole scene from outside and a little above, for a scene without a room.
@@ -109,15 +133,16 @@ impl Search<'_> {
         let (lo, hi) = bounds(facets(self.scene).flat_map(|f| f.corners));
         let (lo, hi) = if lo.is_finite() && hi.is_finite() { (lo, hi) } else { (Vec3::NEG_ONE, Vec3::ONE) };
         let middle = (lo + hi) * 0.5;
-        let half_angle = (FOV_Y * 0.5).to_radians();
+        let half_angle = (FOV_Y_OUTSIDE * 0.5).to_radians();
         let narrow = libm::atanf(libm::tanf(half_angle) * self.aspect.min(1.0));
         let distance = (hi - lo).length().max(1e-6) * 0.5 / libm::sinf(narrow);
         let towards = (self.axes.s * 0.6 + self.axes.t * -0.7 + self.axes.n * 0.4).normalize();
-        Found { camera: self.camera(middle + towards * distance, middle), up: self.axes.n, seen: 1.0 }
+        let camera = self.camera(middle + towards * distance, middle, FOV_Y_OUTSIDE);
+        Found { camera, up: self.axes.n, seen: Seen { furniture: 1.0, walls: 1.0 } }
     }
 
-    fn camera(&self, eye: Vec3, target: Vec3) -> Camera {
-        Camera { name: "found".into(), eye, target, up: self.axes.n, fov_y: FOV_Y }
+    fn camera(&self, eye: Vec3, target: Vec3, fov_y: f32) -> Camera {
+        Camera { name: "found".into(), eye, target, up: self.axes.n, fov_y }
     }
 
     /// The floor's and the ceiling's height of the storey with most free space, and its columns.
@@ -169,29 +194,28 @@ impl Search<'_> {
     fn places(&self, columns: &[Column], eye: f32, clear: f32) -> Option<Vec<Place>> {
         let places: Vec<Place> = (columns.par_iter())
             .filter(|c| c.floor < eye && eye < c.ceiling)
-            .map(|c| self.place(c.foot.extend(eye)))
+            .map(|c| self.place(self.axes.to_world(c.foot.extend(eye)), COARSE.0))
             .collect();
         let most = places.iter().map(|p| p.enclosed).reduce(f32::max)?;
-        let free = |p: &Place| {
-            let nearest = p.reach.iter().copied().fold(f32::INFINITY, f32::min);
-            p.enclosed > ENCLOSED && p.enclosed >= 0.9 * most && nearest >= clear
-        };
+        let free = |p: &Place| p.enclosed > ENCLOSED && p.enclosed >= 0.9 * most && p.nearest() >= clear;
         let free: Vec<Place> = places.into_iter().filter(free).collect();
         (!free.is_empty()).then_some(free)
     }
 
-    /// Feels out a place, given in local coordinates.
-    fn place(&self, eye: Vec3) -> Place {
-        let eye = self.axes.to_world(eye);
+    /// Feels out a place with `probes` rays.
+    fn place(&self, eye: Vec3, probes: usize) -> Place {
         let mut enclosed = 0.0;
         let reach = |k| {
-            let Some(hit) = (self.trace)(&Ray::new(eye, probe(k))) else { return f32::INFINITY };
+            let direction = probe(k, probes);
+            let Some(hit) = (self.trace)(&Ray::new(eye, direction)) else {
+                return (direction, f32::INFINITY);
+            };
             // Behind its walls one is not in the room; but a wall turned about by mistake should not spoil it.
-            enclosed += if self.shows_back(&hit, probe(k)) { 0.5 } else { 1.0 };
-            hit.t
+            enclosed += if self.shows_back(&hit, direction) { 0.5 } else { 1.0 };
+            (direction, hit.t)
         };
-        let reach = (0..PROBES).map(reach).collect();
-        Place { eye, reach, enclosed: enclosed / PROBES as f32 }
+        let reach = (0..probes).map(reach).collect();
+        Place { eye, reach, enclosed: enclosed / probes as f32 }
     }
 
     /// Whether a surface that has a front is hit from behind.
@@ -202,116 +226,99 @@ impl Search<'_> {
         })
     }
 
-    /// Points spread evenly over the surfaces that any place sees, and for each place which of them it sees.
-    fn points(&self, places: &[Place], floor: f32, ceiling: f32) -> (Vec<Point>, Vec<Vec<bool>>) {
-        let spread = spread(self.scene, POINTS);
-        let sees: Vec<Vec<bool>> = places
-            .par_iter()
-            .map(|place| spread.iter().map(|&p| self.sees(place.eye, p)).collect())
-            .collect();
-        let seen: Vec<usize> = (0..spread.len()).filter(|&k| sees.iter().any(|s| s[k])).collect();
-        let local: Vec<Vec3> = seen.iter().map(|&k| self.axes.to_local(spread[k])).collect();
-        let margin = 0.05 * (ceiling - floor);
-        let lo = local.iter().copied().fold(Vec3::INFINITY, Vec3::min).truncate().extend(floor) + margin;
-        let hi =
-            local.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max).truncate().extend(ceiling) - margin;
-        let furniture = |p: Vec3| p.cmpgt(lo).all() && p.cmplt(hi).all();
-        let points =
-            seen.iter().zip(&local).map(|(&k, &l)| Point { position: spread[k], furniture: furniture(l) });
-        (points.collect(), sees.iter().map(|s| seen.iter().map(|&k| s[k]).collect()).collect())
+    /// What can be seen of the room from anywhere in it.
+    fn room(&self, places: &[Place], floor: f32, ceiling: f32) -> Room {
+        let step = places.len().div_ceil(WITNESSES);
+        let witnesses: Vec<&Place> = places.iter().step_by(step).collect();
+        let points = spread(self.scene, POINTS);
+        let seen: Vec<bool> =
+            (points.par_iter()).map(|p| witnesses.iter().any(|w| self.sees(w.eye, p.position))).collect();
+        let points = points.into_iter().zip(seen).filter(|(_, s)| *s).map(|(p, _)| p).collect();
+        Room::new(points, self.scene, &self.axes, floor, ceiling)
     }
 
     fn sees(&self, eye: Vec3, point: Vec3) -> bool {
         (self.trace)(&Ray::new(eye, point - eye)).is_some_and(|h| (h.t - 1.0).abs() < 1e-3)
     }
 
-    /// The best direction to look from a place: much in sight, little within `near` [m], slightly down.
-    fn best_heading(&self, place: &Place, points: &[Point], sees: &[bool], near: f32) -> Look {
-        let furniture = points.iter().filter(|p| p.furniture).count();
-        let walls = points.len() - furniture;
-        let weight = |p: &Point| match (furniture, walls) {
-            // Without furniture the walls are everything.
-            (0, n) | (n, 0) => 1.0 / n as f32,
-            _ => 0.5 / if p.furniture { furniture } else { walls } as f32,
-        };
-        let visible: Vec<(&Point, f32)> =
-            points.iter().zip(sees).filter(|(_, s)| **s).map(|(p, _)| (p, weight(p))).collect();
-        let mut best = Look { score: f32::NEG_INFINITY, seen: 0.0, forward: self.axes.s };
-        for k in 0..HEADINGS * 4 {
-            let heading = TAU * (k % HEADINGS) as f32 / HEADINGS as f32;
-            let pitch = -0.1 * (k / HEADINGS) as f32;
+    /// Every `step`-th of the room's points that is in sight of a place, whichever way one looks.
+    fn visible(&self, eye: Vec3, room: &Room, step: usize) -> Vec<usize> {
+        (0..room.points.len()).step_by(step).filter(|&k| self.sees(eye, room.points[k].position)).collect()
+    }
+
+    /// The places that promise most at a coarse look, in the order of what they promise.
+    fn finalists<'p>(&self, places: &'p [Place], room: &Room, near: f32) -> Vec<&'p Place> {
+        let (_, step, headings) = COARSE;
+        let mut rated: Vec<(f32, &Place)> = (places.par_iter())
+            .map(|place| (self.best_heading(place, room, step, headings, 1, near).score, place))
+            .collect();
+        rated.sort_by(|a, b| b.0.total_cmp(&a.0));
+        rated.into_iter().take(FINALISTS).map(|(_, place)| place).collect()
+    }
+
+    /// The best direction to look from a place, by every `step`-th point.
+    fn best_heading(
+        &self,
+        place: &Place,
+        room: &Room,
+        step: usize,
+        headings: usize,
+        pitches: usize,
+        near: f32,
+    ) -> Look {
+        let visible = self.visible(place.eye, room, step);
+        let looks = (0..headings * pitches).map(|k| {
+            let heading = TAU * (k % headings) as f32 / headings as f32;
+            // One pitch alone is the best of them: a little down.
+            let pitch = if pitches == 1 { -0.15 } else { -0.1 * (k / headings) as f32 };
             let level = self.axes.s * libm::cosf(heading) + self.axes.t * libm::sinf(heading);
             let forward = level * libm::cosf(pitch) + self.axes.n * libm::sinf(pitch);
-            let frustum = Frustum::new(forward, self.axes.n, self.aspect);
-            let in_sight = visible.iter().filter(|(p, _)| frustum.contains(p.position - place.eye));
-            let seen: f32 = in_sight.map(|(_, w)| w).sum();
-            let in_frame = (0..PROBES).filter(|&k| frustum.contains(probe(k))).map(|k| place.reach[k]);
-            // What fills the frame from close by, and the void behind an open side, show nothing of the room.
-            let (idle, all) = in_frame
-                .fold((0.0, 0.0), |(n, all), r| (n + f32::from(r < near || r.is_infinite()), all + 1.0));
-            let score = seen - 0.8 * idle / f32::max(all, 1.0) - 0.2 * (pitch + 0.15).abs();
-            if score > best.score {
-                best = Look { score, seen, forward };
-            }
-        }
-        best
-    }
-}
-
-/// A direction looked in, and what it is worth.
-struct Look {
-    score: f32,
-    seen: f32,
-    forward: Vec3,
-}
-
-/// What a camera's picture covers, seen from its eye.
-struct Frustum {
-    forward: Vec3,
-    side: Vec3,
-    up: Vec3,
-    slope: Vec2,
-}
-
-impl Frustum {
-    fn new(forward: Vec3, up: Vec3, aspect: f32) -> Frustum {
-        let side = forward.cross(up).normalize();
-        let half = libm::tanf((FOV_Y * 0.5).to_radians());
-        Frustum { forward, side, up: side.cross(forward), slope: Vec2::new(half * aspect, half) }
+            let look = self.look(place, room, &visible, forward, FOV_Y, near);
+            Look { score: look.score - 0.2 * (pitch + 0.15).abs(), ..look }
+        });
+        looks.reduce(|a, b| if b.score > a.score { b } else { a }).unwrap_or(Look::NOTHING)
     }
 
-    fn contains(&self, w: Vec3) -> bool {
-        let depth = w.dot(self.forward);
-        depth > 0.0
-            && w.dot(self.side).abs() < depth * self.slope.x
-            && w.dot(self.up).abs() < depth * self.slope.y
+    /// What a direction is worth: much in sight, little within `near` [m], little void.
+    fn look(
+        &self,
+        place: &Place,
+        room: &Room,
+        visible: &[usize],
+        forward: Vec3,
+        fov_y: f32,
+        near: f32,
+    ) -> Look {
+        let frustum = Frustum::new(forward, self.axes.n, fov_y, self.aspect);
+        let in_sight = visible.iter().filter(|&&k| frustum.contains(room.points[k].position - place.eye));
+        let seen = room.seen(in_sight.copied());
+        let in_frame = place.reach.iter().filter(|(d, _)| frustum.contains(*d)).map(|(_, r)| *r);
+        // What fills the frame from close by, and the void behind an open side, show nothing of the room.
+        let (idle, all) =
+            in_frame.fold((0.0, 0.0), |(n, all), r| (n + f32::from(r < near || r.is_infinite()), all + 1.0));
+        let score = 0.5 * (seen.furniture + seen.walls) - 0.8 * idle / f32::max(all, 1.0);
+        Look { score, seen, forward, fov_y }
     }
-}
 
-/// The k-th of [`PROBES`] directions spread over the sphere along a golden spiral.
-fn probe(k: usize) -> Vec3 {
-    let z = 1.0 - (2.0 * k as f32 + 1.0) / PROBES as f32;
-    let turn = PI * (3.0 - 5.0f32.sqrt()) * k as f32;
-    let r = (1.0 - z * z).sqrt();
-    Vec3::new(r * libm::cosf(turn), r * libm::sinf(turn), z)
-}
-
-/// `n` points at equal steps of area through the triangles of a scene, inside each by the golden ratio's cousins.
-fn spread(scene: &Scene, n: usize) -> Vec<Vec3> {
-    let total: f64 = facets(scene).map(|f| f64::from(f.area)).sum();
-    let mut points = Vec::with_capacity(n);
-    let mut before = 0.0;
-    for f in facets(scene) {
-        let after = before + f64::from(f.area);
-        while points.len() < n && (points.len() as f64 + 0.5) * total / (n as f64) < after {
-            let k = points.len() as f32;
-            let (a, b) = ((k * 0.754_877_7).fract(), (k * 0.569_840_3).fract());
-            let (a, b) = if a + b > 1.0 { (1.0 - a, 1.0 - b) } else { (a, b) };
-            points.push(f.corners[0] + (f.corners[1] - f.corners[0]) * a + (f.corners[2] - f.corners[0]) * b);
-        }
-        before = after;
+    /// Eye and direction before each side of the room that is open, so far off that the whole opening is in the picture.
+    fn openings(&self, places: &[Place], room: &Room) -> impl Iterator<Item = (Vec3, Vec3)> {
+        let (middle, half) = ((room.lo + room.hi) * 0.5, (room.hi - room.lo) * 0.5);
+        let slope = libm::tanf((FOV_Y_OUTSIDE * 0.5).to_radians());
+        let sides = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y];
+        let open = move |outward: &Vec3| {
+            let towards = self.axes.to_world(*outward);
+            let glances = places.iter().flat_map(|p| &p.reach).filter(|(d, _)| d.dot(towards) > 0.7);
+            let (nowhere, all) =
+                glances.fold((0, 0), |(n, all), (_, r)| (n + u32::from(r.is_infinite()), all + 1));
+            nowhere as f32 > OPEN * all as f32
+        };
+        sides.into_iter().filter(open).map(move |outward| {
+            let width = if outward.x == 0.0 { half.x } else { half.y };
+            let distance = (half.z / slope).max(width / (slope * self.aspect));
+            let eye = middle + outward * (outward.abs().dot(half) + 1.05 * distance);
+            (self.axes.to_world(eye), -self.axes.to_world(outward))
+        })
     }
-    points
 }
 
 #[cfg(test)]
@@ -414,8 +421,54 @@ mod tests {
             );
             let forward = (target - eye).normalize();
             assert!((-0.4..=0.05).contains(&forward.z), "looks {forward}");
-            assert!(found.seen > 0.6, "sees {}", found.seen);
+            // Of a wall that the eye stands at, and of the floor before its feet, no picture shows much.
+            assert!(found.seen.furniture > 0.9 && found.seen.walls > 0.4, "sees {:?}", found.seen);
         }
+    }
+
+    #[test]
+    fn a_room_without_a_wall_is_seen_from_before_the_opening() {
+        let mut scene = room();
+        // The last face of the room's box is the wall at y = 4.
+        let mesh = &mut scene.meshes[0];
+        let wall = |t: &[u32; 3]| t.iter().all(|&k| mesh.positions[k as usize].y == 4.0);
+        let kept: Vec<[u32; 3]> = mesh.triangles.iter().filter(|t| !wall(t)).copied().collect();
+        assert_eq!(kept.len(), 10);
+        (mesh.materials, mesh.triangles) = (vec![0; 10], kept);
+        let found = found(&scene);
+        let (eye, forward) = (found.camera.eye, found.camera.target - found.camera.eye);
+        assert!(eye.y > 5.0 && forward.normalize().y < -0.99, "{:?}", found.camera);
+        assert!(found.seen.furniture > 0.9 && found.seen.walls > 0.8, "sees {:?}", found.seen);
+    }
+
+    #[test]
+    fn the_share_of_an_empty_room_is_that_of_its_area() {
+        let mut scene = room();
+        scene.instances.truncate(1);
+        let found = found(&scene);
+        let (camera, half) = (&found.camera, libm::tanf((found.camera.fov_y * 0.5).to_radians()));
+        let forward = (camera.target - camera.eye).normalize();
+        let side = forward.cross(camera.up).normalize();
+        // Nothing hides a wall of an empty box: the share is how much of it lies within the picture's four edges.
+        let (mut inside, mut all) = (0.0, 0.0);
+        let size = Vec3::new(6.0, 4.0, 2.8);
+        for (face, a, b) in (0..6).flat_map(|f| (0..100).flat_map(move |a| (0..100).map(move |b| (f, a, b))))
+        {
+            let axis = face / 2;
+            let mut p = Vec3::ZERO;
+            p[axis] = (face % 2) as f32;
+            p[(axis + 1) % 3] = (a as f32 + 0.5) / 100.0;
+            p[(axis + 2) % 3] = (b as f32 + 0.5) / 100.0;
+            let w = p * size - camera.eye;
+            let (x, y) = (w.dot(side), w.dot(side.cross(forward)));
+            let depth = w.dot(forward) * half;
+            let area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+            all += area;
+            inside += if depth > 0.0 && y.abs() < depth && x.abs() < depth * 4.0 / 3.0 { area } else { 0.0 };
+        }
+        // 1024 points stand for the area: two standard deviations are 0.031 at most.
+        assert!((found.seen.walls - inside / all).abs() < 0.031, "{:?}, not {}", found.seen, inside / all);
+        assert_eq!(found.seen.furniture, 1.0);
     }
 
     #[test]
@@ -451,7 +504,8 @@ mod tests {
         let mut scene = Scene::default();
         cuboid(&mut scene, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0], false, 0);
         let camera = found(&scene).camera;
-        let frustum = Frustum::new((camera.target - camera.eye).normalize(), camera.up, 4.0 / 3.0);
+        let frustum =
+            Frustum::new((camera.target - camera.eye).normalize(), camera.up, camera.fov_y, 4.0 / 3.0);
         assert!((0..8).all(|k| frustum.contains(scene.meshes[0].positions[k] - camera.eye)));
         let nowhere = found(&Scene::default()).camera;
         assert!(nowhere.eye.is_finite() && nowhere.target.is_finite() && nowhere.eye != nowhere.target);

@@ -1,5 +1,5 @@
-//! The Sobol' sequence with two scrambles: exclusive-or (Wald 2002) and Owen's, by hashing (Laine and Karras 2011;
-//! Burley 2020, "Practical hash-based Owen scrambling").
+//! The Sobol' sequence with two scrambles: exclusive-or [Wald et al. 2002] and Owen's, by hashing [Laine and
+//! Karras 2011; Burley 2020].
 //! Dimensions beyond the table are padded: groups of them repeat it under an index shuffled for each group.
 
 use super::hash::{hash, unit_f32};
@@ -11,7 +11,7 @@ pub const DIMENSIONS: u32 = 16;
 pub const GROUP: u32 = 4;
 
 /// Degree s, coefficients a and first direction numbers m of the primitive polynomials of dimensions 1 … 15, as
-/// tabulated by Joe and Kuo (2008); dimension 0 is Φ₂ and has none.
+/// tabulated by [Joe and Kuo 2008]; dimension 0 is Φ₂ and has none.
 const POLYNOMIALS: [(usize, u32, [u32; 6]); 15] = [
     (1, 0, [1, 0, 0, 0, 0, 0]),
     (2, 1, [1, 3, 0, 0, 0, 0]),
@@ -110,7 +110,7 @@ fn owen_in_group(shuffled: u32, dimension: u32, seed: u32) -> u32 {
     owen(sobol(shuffled, dimension % GROUP), hash(seed, dimension))
 }
 
-/// Sobol' with one random word exclusive-ored onto each dimension, as in Wald et al. (2002).
+/// Sobol' with one random word exclusive-ored onto each dimension, as in [Wald et al. 2002].
 ///
 /// The first [`DIMENSIONS`] are the sequence itself; beyond them it repeats under a shuffled index. Cheap, but the
 /// net keeps its fixed structure: the error of smooth integrands does not gain what Owen's scramble gains.

@@ -19,6 +19,8 @@ pub struct Finish {
     pub dull: Rgb,
     /// ρ_d if the dull lobes are a Lambertian reflector's.
     pub lambertian: Option<Rgb>,
+    /// True if dull lobes send light through the surface.
+    pub transmits: bool,
 }
 
 /// A perfectly white receiver: its radiance is illuminance / π.
@@ -29,6 +31,7 @@ pub(super) static WHITE: Finish = Finish {
     sharp: Rgb::BLACK,
     dull: Rgb::WHITE,
     lambertian: Some(Rgb::WHITE),
+    transmits: false,
 };
 
 impl From<&Material> for Finish {
@@ -40,11 +43,17 @@ impl From<&Material> for Finish {
             sharp: m.bsdf.albedo(Class::Sharp, Vec3::Z),
             dull: m.bsdf.albedo(Class::Dull, Vec3::Z),
             lambertian: m.bsdf.lambertian(),
+            transmits: m.bsdf.transmits(),
         }
     }
 }
 
 impl Finish {
+    /// True where an eye path may go on, or finds light, at the surface itself.
+    pub fn is_sharp_or_glows(&self) -> bool {
+        !self.sharp.is_black() || !self.emission.is_black()
+    }
+
     /// How likely a path should scatter by each class: (sharp, dull), the brightest channel of either, not negative.
     pub fn weights(&self) -> (f32, f32) {
         (self.sharp.max_channel().max(0.0), self.dull.max_channel().max(0.0))

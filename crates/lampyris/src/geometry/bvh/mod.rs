@@ -1,5 +1,5 @@
 //! A bounding volume hierarchy eight children wide over blocks of eight triangles, and the kernels that walk it.
-//! Built by binned SAH [Wald 2007], walked as in Wald et al. 2014 (Embree): eight boxes or eight triangles at once,
+//! Built by binned SAH [Wald 2007], walked as Embree does [Wald et al. 2014]: eight boxes or eight triangles at once,
 //! or sixteen rays of one origin. Which kernel walks is a matter of speed only: all give the same bits.
 
 mod build;

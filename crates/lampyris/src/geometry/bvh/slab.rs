@@ -1,4 +1,4 @@
-//! The line of a ray against boxes, by slabs [Kay & Kajiya 1986], made conservative in two ways: distances are padded
+//! The line of a ray against boxes, by slabs [Kay and Kajiya 1986], made conservative in two ways: distances are padded
 //! for their own rounding [Ize 2013], and the boxes are widened by what the shear of the watertight triangle test may
 //! move a corner. A box is never missed that holds a triangle the ray hits; some are entered for nothing.
 

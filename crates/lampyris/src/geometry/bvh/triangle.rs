@@ -1,4 +1,4 @@
-//! One ray against one triangle: the watertight test of Woop, Benthin & Wald 2013, whose edge functions have exact
+//! One ray against one triangle: the watertight test [Woop et al. 2013], whose edge functions have exact
 //! signs, so that a ray never slips between neighbours. Whether the meeting lies in front of the start (and before
 //! the end of a segment) is decided by the exact side of the plane, not by an epsilon. This is the scalar oracle; the
 //! SIMD kernels repeat its operations in its order and call it for the rare lanes that need f64.
