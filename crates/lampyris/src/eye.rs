@@ -42,6 +42,14 @@ pub struct Meter {
     pub normal: Vec3,
 }
 
+impl Meter {
+    /// False where a number is missing, or so far out that the fourth power of the distance leaves `f32`: such a meter
+    /// reads 0.
+    fn is_somewhere(&self) -> bool {
+        self.position.abs().max_element() < 1e9 && self.normal.is_finite()
+    }
+}
+
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rect {
@@ -262,7 +270,9 @@ impl<'w> Packet<'w> {
     fn lay_out(&mut self, meters: &[Meter], rect: Rect) {
         for k in self.lanes() {
             let meter = &meters[(rect.x + self.pixels[k]) as usize];
-            self.set(k, Surface::meter(meter.position, meter.normal), Rgb::WHITE);
+            if meter.is_somewhere() {
+                self.set(k, Surface::meter(meter.position, meter.normal), Rgb::WHITE);
+            }
         }
     }
 

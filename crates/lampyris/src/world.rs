@@ -83,7 +83,7 @@ impl World {
             tracer,
             facets: Facets::new(&scene),
             finishes: scene.materials.iter().map(Finish::from).collect(),
-            emitters: scene.lights.iter().map(Emitter::from).collect(),
+            emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
             cumulative: Vec::new(),
             sides: HashMap::new(),
@@ -254,7 +254,7 @@ impl World {
             area += 0.5 * a2;
             reflected += 0.5 * a2 * f64::from(rho.luminance().clamp(0.0, 1.0));
         }
-        for light in &self.scene.lights {
+        for light in self.scene.lights.iter().filter(|l| l.is_sound()) {
             if let Some((p, r)) = light.extent() {
                 (lo, hi) = (lo.min(p - r), hi.max(p + r));
             }
@@ -262,6 +262,10 @@ impl World {
         if lo.x <= hi.x {
             // A little more than the box's sphere: distant light starts outside everything.
             self.bounds = Bounds { center: (lo + hi) * 0.5, radius: 0.5 * (hi - lo).length() * 1.001 };
+        }
+        if self.bounds.radius == 0.0 {
+            // Over nothing at all the sky still has a share of the paths, and lights meters.
+            self.bounds.radius = 1.0;
         }
         self.area = area as f32;
         self.mean_reflectance = if area > 0.0 { (reflected / area) as f32 } else { 0.0 };

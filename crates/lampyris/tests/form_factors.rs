@@ -10,13 +10,13 @@ use std::f64::consts::PI;
 use support::{Build, FAST, ORACLE, close, lux, meter, settings, spread, who};
 
 /// Points on the receiving patch.
-const METERS: u32 = 1024;
+const METERS: u32 = 512;
 
 /// The tolerance for direct light.
 const TOLERANCE: f64 = 5e-3;
 
 fn expect(what: &str, emitter: &Build, meters: &[Meter], expected: f64) {
-    for s in [settings(FAST, 1 << 11, 4, 2), settings(ORACLE, 1, 256, 2)] {
+    for s in [settings(FAST, 1 << 11, 4, 2), settings(ORACLE, 1, 128, 2)] {
         let all = lux(&emitter.0, meters, &s, 4);
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         close(&format!("{what} by {}", who(&s)), mean, expected, TOLERANCE);

@@ -41,10 +41,10 @@ impl Integrator for Path {
                         let offset = pass.sampling.offset;
                         Start::Ray(view.ray(x as f32 + offset[0], y as f32 + offset[1]))
                     }
-                    Eye::Meters(meters) => {
-                        let m = meters[(tile.rect.x + pixel) as usize];
-                        Start::Surface(Surface::meter(m.position, m.normal))
-                    }
+                    Eye::Meters(_) => match packet.visible(k) {
+                        Some(meter) => Start::Surface(meter.surface),
+                        None => continue,
+                    },
                 };
                 let parts =
                     trace(pass.world, start, Scope::Everything, packet.numbers[k].branch(b'p'.into()), rays);

@@ -32,6 +32,38 @@ impl Light {
             LightKind::Directional { .. } => None,
         }
     }
+
+    /// True if every number is finite, every direction a unit vector, and every size what its field asks for. Other
+    /// lights are left out: one number missing would poison the whole picture.
+    pub fn is_sound(&self) -> bool {
+        let unit = |v: Vec3| (v.length_squared() - 1.0).abs() < 1e-3;
+        match self.kind {
+            LightKind::Point { position, intensity } => position.is_finite() && intensity.is_finite(),
+            LightKind::Spot { position, direction, intensity, beam } => {
+                position.is_finite() && unit(direction) && intensity.is_finite() && beam.is_sound()
+            }
+            LightKind::Directional { direction, illuminance } => unit(direction) && illuminance.is_finite(),
+            LightKind::Sphere { center, radius, radiance } => {
+                center.is_finite() && radius > 0.0 && radius.is_finite() && radiance.is_finite()
+            }
+            LightKind::Disc { center, normal, radius, radiance } => {
+                let placed = center.is_finite() && unit(normal);
+                placed && radius > 0.0 && radius.is_finite() && radiance.is_finite()
+            }
+        }
+    }
+}
+
+impl Beam {
+    /// True if its numbers lie where their fields say.
+    fn is_sound(self) -> bool {
+        match self {
+            Beam::Cone { cos_inner, cos_outer } => {
+                -1.0 <= cos_outer && cos_outer < cos_inner && cos_inner <= 1.0
+            }
+            Beam::Cosine { exponent } => exponent >= 0.0 && exponent.is_finite(),
+        }
+    }
 }
 
 /// The closed set of light sources. Directions are unit vectors in world space.

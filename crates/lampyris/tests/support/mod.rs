@@ -11,6 +11,7 @@ use lampyris::light::{Light, LightKind};
 use lampyris::material::{Bsdf, Dielectric, Diffuse, Material, Sides, Ward};
 use lampyris::scene::{Camera, Instance, Mesh, Scene, View};
 use lampyris::sequence::sobol::sobol_owen_pair;
+use lampyris::testing::Moments;
 use std::f32::consts::{PI, TAU};
 
 /// The fast parts, by the names of `Settings::default`, and the oracle.
@@ -249,4 +250,19 @@ pub fn close(what: &str, measured: f64, expected: f64, tolerance: f64) -> f64 {
     say(format_args!("{what}: {measured:.6}, off by {off:+.1e}"));
     assert!(off.abs() <= tolerance, "{what}: {measured} for {expected}, off by {off:.2e} > {tolerance:.0e}");
     off
+}
+
+/// [`close`] for the mean of `draws` seeds, whose own error must leave the tolerance its meaning: three standard
+/// errors fit into it.
+pub fn close_mean(
+    what: &str,
+    draws: u32,
+    expected: f64,
+    tolerance: f64,
+    draw: impl FnMut(u32) -> f64,
+) -> f64 {
+    let all: Moments = (0..draws).map(draw).collect();
+    let error = all.standard_error() / expected;
+    assert!(3.0 * error < tolerance, "{what}: noise of {error:.1e} hides what is tested to {tolerance:.0e}");
+    close(&format!("{what} (± {error:.1e})"), all.mean(), expected, tolerance)
 }
