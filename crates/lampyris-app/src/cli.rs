@@ -113,13 +113,13 @@ pub(crate) struct EstimateArgs {
     /// Parts to add up: all, path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
     pub(crate) parts: Vec<String>,
-    /// Light paths started in one batch [default: 64]
+    /// Light paths started in one batch [default: by the picture's size 16 to 64, by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
     /// Batches [default: 16, or as many as --time allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) batches: Option<u32>,
-    /// Eye samples a pixel in one batch [default: one a light path]
+    /// Eye samples a pixel in one batch [default: one for two light paths; for meters one for each]
     #[arg(long, value_name = "N")]
     pub(crate) spp: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done

@@ -13,8 +13,34 @@ use std::time::{Duration, Instant};
 /// Batches where neither their number nor a time is given: each randomisation has several.
 const BATCHES: u32 = 16;
 
-/// The settings that the arguments ask for.
-pub(crate) fn settings(args: &EstimateArgs) -> Result<Settings, Failure> {
+/// Light paths times pixels in one batch, as far as the bounds on the paths allow: a batch of a large picture takes a few
+/// seconds on two cores, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's
+/// size alone: time never decides what a batch is.
+const WORK: u64 = 1 << 23;
+const PICTURE_PATHS: (u64, u64) = (16, 64);
+const METER_PATHS: (u64, u64) = (64, 1024);
+
+/// Light paths for each eye sample of a picture. An eye sample with its caustics and its compensation costs about ten
+/// light paths and is what most noise comes from, but fewer paths to a batch would clamp more and compensate longer.
+const PATHS_PER_SAMPLE: u32 = 2;
+
+/// The settings that the arguments ask for, for a picture of that size.
+pub(crate) fn for_picture(args: &EstimateArgs, (width, height): (u32, u32)) -> Result<Settings, Failure> {
+    let paths = args.paths.unwrap_or(paths(u64::from(width) * u64::from(height), PICTURE_PATHS));
+    settings(args, paths, Some(args.spp.unwrap_or((paths / PATHS_PER_SAMPLE).max(1))))
+}
+
+/// The settings that the arguments ask for, for so many meters.
+pub(crate) fn for_meters(args: &EstimateArgs, meters: usize) -> Result<Settings, Failure> {
+    settings(args, args.paths.unwrap_or(paths(meters as u64, METER_PATHS)), args.spp)
+}
+
+/// A power of two.
+fn paths(pixels: u64, (least, most): (u64, u64)) -> u32 {
+    (1 << (WORK / pixels.max(1)).clamp(least, most).ilog2()) as u32
+}
+
+fn settings(args: &EstimateArgs, paths: u32, passes: Option<u32>) -> Result<Settings, Failure> {
     let defaults = Settings::default();
     let mut parts = Vec::new();
     for name in &args.parts {
@@ -29,8 +55,8 @@ pub(crate) fn settings(args: &EstimateArgs) -> Result<Settings, Failure> {
     }
     let settings = Settings {
         parts,
-        paths: args.paths.unwrap_or(defaults.paths),
-        passes: args.spp,
+        paths,
+        passes,
         absorption: args.absorption.as_deref().map_or(Ok(defaults.absorption), absorption)?,
         sequence: args.sequence.as_deref().map_or(Ok(defaults.sequence), sequence)?,
         seed: args.seed.unwrap_or(defaults.seed),
@@ -87,4 +113,19 @@ fn overruns(time: Option<Duration>, start: Instant, batch: Duration) -> bool {
 fn time_left(args: &EstimateArgs, start: Instant, batch: Duration, batches: u32) -> Duration {
     let by_number = batch.saturating_mul(batches);
     args.time.map_or(by_number, |t| by_number.min(t.saturating_sub(start.elapsed())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_shrink_as_pictures_grow_and_stay_within_bounds() {
+        let of = |w: u64, h: u64| paths(w * h, PICTURE_PATHS);
+        assert_eq!(
+            [of(1, 1), of(240, 160), of(640, 480), of(1920, 1080), of(8192, 8192)],
+            [64, 64, 16, 16, 16]
+        );
+        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 512, 64]);
+    }
 }

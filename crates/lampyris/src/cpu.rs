@@ -131,8 +131,10 @@ impl Job {
             .map(|(x, y)| Rect { x, y, width: TILE.min(width - x), height: TILE.min(height - y) })
             .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
             .collect();
-        let done: Vec<Summed> =
-            pieces.par_iter().map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk)).collect();
+        let done: Vec<Summed> = pieces
+            .par_iter()
+            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
+            .collect();
 
         let scale = 1.0 / passes as f32;
         let mut planes = vec![vec![Rgb::BLACK; width as usize * height as usize]; self.integrators.len()];
