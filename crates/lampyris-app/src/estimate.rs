@@ -11,7 +11,7 @@ use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
 
 /// Batches where neither their number nor a time is given: each randomisation has several.
-const BATCHES: u32 = 16;
+pub(crate) const BATCHES: u32 = 16;
 
 /// Light paths times pixels in one batch, as far as the bounds on the paths allow: a batch of a large picture takes a few
 /// seconds on two cores, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's
