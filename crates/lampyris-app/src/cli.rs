@@ -80,6 +80,9 @@ pub(crate) struct RenderArgs {
     /// Tone curve: linear, reinhard, filmic [default: filmic in PNG, linear in HDR]
     #[arg(long, value_name = "NAME", value_parser = parse::tone)]
     pub(crate) tone: Option<ToneCurve>,
+    /// Leave single bright speckles in PNG, where caustics have not settled
+    #[arg(long)]
+    pub(crate) no_despeckle: bool,
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,
@@ -120,10 +123,10 @@ pub(crate) struct EstimateArgs {
     /// Light paths started in one batch [default: by the picture's size 16 to 64, by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
-    /// Batches [default: 16, or as many as --time allows]
+    /// Batches [default: 8, or as many as --time allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) batches: Option<u32>,
-    /// Eye samples a pixel in one batch [default: one for two light paths; for meters one for each]
+    /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one for 8 paths]
     #[arg(long, value_name = "N")]
     pub(crate) spp: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done
@@ -138,6 +141,9 @@ pub(crate) struct EstimateArgs {
     /// Leave out what clamping takes: faster, too dark in corners
     #[arg(long)]
     pub(crate) no_compensate: bool,
+    /// Clamping radius of virtual lights in units of √(area/virtual lights); 0 clamps nothing [default: 2]
+    #[arg(long, value_name = "C")]
+    pub(crate) clamp: Option<f32>,
     /// How particles thin out: fractional, paper, roulette [default: fractional]
     #[arg(long, value_name = "NAME")]
     pub(crate) absorption: Option<String>,

@@ -10,37 +10,36 @@ use lampyris::integrator;
 use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
 
-/// Batches where neither their number nor a time is given: each randomisation has several.
-pub(crate) const BATCHES: u32 = 16;
+/// Light paths that share an eye pass unless `--spp` says otherwise. One pass a path, as in the 1997 report, spends most
+/// of the time on eye rays: eight a pass halve the error at equal time (docs/performance.md).
+const PATHS_PER_EYE_PASS: u32 = 8;
 
-/// Light paths times pixels in one batch, as far as the bounds on the paths allow: a batch of a large picture takes a few
-/// seconds on two cores, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's
-/// size alone: time never decides what a batch is.
-const WORK: u64 = 1 << 23;
+/// Batches where neither their number nor a time is given: each randomisation has several.
+pub(crate) const BATCHES: u32 = 8;
+
+/// Light paths times pixels in one batch, as far as the bounds on the paths allow: the batches of a large picture stay
+/// short, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's size alone: time
+/// never decides what a batch is.
+const WORK: u64 = 20_000_000;
 const PICTURE_PATHS: (u64, u64) = (16, 64);
 const METER_PATHS: (u64, u64) = (64, 1024);
 
-/// Light paths for each eye sample of a picture. An eye sample with its caustics and its compensation costs about ten
-/// light paths and is what most noise comes from, but fewer paths to a batch would clamp more and compensate longer.
-const PATHS_PER_SAMPLE: u32 = 2;
-
 /// The settings that the arguments ask for, for a picture of that size.
 pub(crate) fn for_picture(args: &EstimateArgs, (width, height): (u32, u32)) -> Result<Settings, Failure> {
-    let paths = args.paths.unwrap_or(paths(u64::from(width) * u64::from(height), PICTURE_PATHS));
-    settings(args, paths, Some(args.spp.unwrap_or((paths / PATHS_PER_SAMPLE).max(1))))
+    settings(args, paths(u64::from(width) * u64::from(height), PICTURE_PATHS))
 }
 
 /// The settings that the arguments ask for, for so many meters.
 pub(crate) fn for_meters(args: &EstimateArgs, meters: usize) -> Result<Settings, Failure> {
-    settings(args, args.paths.unwrap_or(paths(meters as u64, METER_PATHS)), args.spp)
+    settings(args, paths(meters as u64, METER_PATHS))
 }
 
 /// A power of two.
 fn paths(pixels: u64, (least, most): (u64, u64)) -> u32 {
-    (1 << (WORK / pixels.max(1)).clamp(least, most).ilog2()) as u32
+    1 << (WORK / pixels.max(1)).clamp(least, most).ilog2()
 }
 
-fn settings(args: &EstimateArgs, paths: u32, passes: Option<u32>) -> Result<Settings, Failure> {
+fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
     let defaults = Settings::default();
     let mut parts = Vec::new();
     for name in &args.parts {
@@ -53,10 +52,12 @@ fn settings(args: &EstimateArgs, paths: u32, passes: Option<u32>) -> Result<Sett
     if args.no_compensate {
         parts.retain(|p| p != "compensation");
     }
+    let paths = args.paths.unwrap_or(paths);
     let settings = Settings {
         parts,
         paths,
-        passes,
+        passes: Some(args.spp.unwrap_or(paths.div_ceil(PATHS_PER_EYE_PASS))),
+        clamp: args.clamp.unwrap_or(defaults.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(defaults.absorption), absorption)?,
         sequence: args.sequence.as_deref().map_or(Ok(defaults.sequence), sequence)?,
         seed: args.seed.unwrap_or(defaults.seed),
@@ -124,8 +125,8 @@ mod tests {
         let of = |w: u64, h: u64| paths(w * h, PICTURE_PATHS);
         assert_eq!(
             [of(1, 1), of(240, 160), of(640, 480), of(1920, 1080), of(8192, 8192)],
-            [64, 64, 16, 16, 16]
+            [64, 64, 64, 16, 16]
         );
-        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 512, 64]);
+        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 1024, 64]);
     }
 }

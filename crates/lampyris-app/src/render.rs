@@ -97,7 +97,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let Statistics { rays, vpls, non_finite } = backend.statistics();
     let frame = backend.frame()?;
     let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
-    let display = Display { exposure: args.exposure, tone: args.tone };
+    let display = Display { exposure: args.exposure, tone: args.tone, despeckle: !args.no_despeckle };
     let written = outputs.iter().map(|path| interrupt::writing(|| output::save(path, &picture, &display)));
     // Each file is tried: a full disk under one says nothing of the others.
     let failed = written.fold(None, |failed, done| failed.or(done.err()));

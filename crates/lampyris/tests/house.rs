@@ -1,7 +1,9 @@
 //! The house rules of CONTRIBUTING.md, asserted about the sources themselves.
 //! They are properties of the repository, not of light; nothing is rendered here.
 
+use lampyris::backend::Settings;
 use lampyris::integrator;
+use lampyris::material::SHARP_ALPHA;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -159,6 +161,7 @@ fn modules_use_earlier_layers_only() {
         let code: Vec<&str> =
             without_tests(&text).lines().filter(|l| !l.trim_start().starts_with("//")).collect();
         for used in code.join("\n").split("crate::").skip(1) {
+            assert!(!used.starts_with('{'), "{path}: a line of its own for each module used");
             let used: String = used.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
             let Some(of_used) = layer(&used) else { continue };
             assert!(used == module || of_used < own, "{path} uses {used}, which is not below {module}");
@@ -207,6 +210,19 @@ fn the_formats_told_are_the_formats_there() {
         assert!(readme.contains(name), "README.md says nothing of {name}");
     }
     assert!(readme.contains("MGF"));
+}
+
+#[test]
+fn the_manual_states_the_defaults() {
+    let (manual, defaults) = (read("docs/light-transport.md"), Settings::default());
+    let told = [
+        format!("; c = {}\nunless", defaults.clamp),
+        format!("r = {} by default", defaults.replicates),
+        format!("α < {SHARP_ALPHA} (`SHARP_ALPHA`)"),
+    ];
+    for text in told {
+        assert!(manual.contains(&text), "docs/light-transport.md should say \"{text}\"");
+    }
 }
 
 #[test]

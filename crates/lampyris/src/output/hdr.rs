@@ -102,7 +102,7 @@ mod tests {
                 Rgb::new(if i % 90 < 40 { 3.0 } else { noise as f32 }, (i / 3) as f32, 0.001)
             };
             let radiance: Vec<Rgb> = (0..width * height).map(value).collect();
-            let display = Display { exposure: Exposure::Ev(1.0), tone: None };
+            let display = Display { exposure: Exposure::Ev(1.0), ..Display::default() };
             let image = decoded(&encode(&Picture::new(width, height, radiance.clone()), &display).unwrap());
             for (c, p) in radiance.iter().zip(image.pixels()) {
                 for k in 0..3 {
@@ -126,7 +126,7 @@ mod tests {
     fn metadata_cannot_end_the_header() {
         let mut picture = Picture::new(1, 1, vec![Rgb::WHITE]);
         picture.metadata.push(("scene".into(), "a\n\n-Y 9 +X 9\n".into()));
-        let bytes = encode(&picture, &Display { exposure: Exposure::Ev(0.0), tone: None }).unwrap();
+        let bytes = encode(&picture, &Display { exposure: Exposure::Ev(0.0), ..Display::default() }).unwrap();
         assert_eq!(decoded(&bytes).dimensions(), (1, 1));
         assert!(String::from_utf8_lossy(&bytes).contains("EXPOSURE=1.79\n"));
     }

@@ -4,6 +4,7 @@
 //! Nothing here changes a picture: exposure and tone curves act on what is displayed, OpenEXR holds cd/m².
 
 mod atomic;
+mod despeckle;
 mod exposure;
 mod exr;
 mod hdr;
@@ -19,12 +20,20 @@ use crate::error::{Error, Result};
 use std::path::Path;
 
 /// How scene light becomes display light, in the formats that hold what a display shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Display {
     /// Which luminance is shown as white.
     pub exposure: Exposure,
     /// The curve after the exposure; where `None`, the one that suits the format (PNG: filmic, HDR: linear).
     pub tone: Option<ToneCurve>,
+    /// PNG: bring single speckles down to their neighbours.
+    pub despeckle: bool,
+}
+
+impl Default for Display {
+    fn default() -> Self {
+        Display { exposure: Exposure::default(), tone: None, despeckle: true }
+    }
 }
 
 /// A row of the table.

@@ -1,5 +1,6 @@
 //! PNG: what a display shows, 8-bit sRGB, with the metadata as text chunks.
 
+use super::despeckle::despeckle;
 use super::{Display, Picture, ToneCurve, srgb};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent};
 
@@ -7,12 +8,15 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderin
 pub(super) fn encode(picture: &Picture, display: &Display) -> Result<Vec<u8>, String> {
     let factor = display.exposure.factor(&picture.radiance);
     let curve = display.tone.unwrap_or_default();
-    let pixels: Vec<u8> =
-        picture.radiance.iter().flat_map(|&c| curve.apply(c * factor).to_array().map(srgb)).collect();
-    write(picture, &pixels, curve).map_err(|e| e.to_string())
+    let shown = match display.despeckle {
+        true => despeckle(picture.width, picture.height, &picture.radiance),
+        false => picture.radiance.clone(),
+    };
+    let pixels: Vec<u8> = shown.iter().flat_map(|&c| curve.apply(c * factor).to_array().map(srgb)).collect();
+    write(picture, &pixels, curve, display.despeckle).map_err(|e| e.to_string())
 }
 
-fn write(picture: &Picture, pixels: &[u8], curve: ToneCurve) -> Result<Vec<u8>, EncodingError> {
+fn write(picture: &Picture, pixels: &[u8], curve: ToneCurve, calm: bool) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, picture.width, picture.height);
     encoder.set_color(ColorType::Rgb);
@@ -20,7 +24,8 @@ fn write(picture: &Picture, pixels: &[u8], curve: ToneCurve) -> Result<Vec<u8>, 
     encoder.set_compression(Compression::Balanced);
     encoder.set_source_srgb(SrgbRenderingIntent::RelativeColorimetric);
     let tone = ("tone".to_string(), curve.name().to_string());
-    for (key, value) in picture.metadata.iter().chain([&tone]) {
+    let calm = ("despeckled".to_string(), calm.to_string());
+    for (key, value) in picture.metadata.iter().chain([&tone, &calm]) {
         encoder.add_itxt_chunk(key.clone(), value.clone())?;
     }
     let mut writer = encoder.write_header()?;
@@ -48,7 +53,7 @@ mod tests {
         for (curve, middle) in
             [(ToneCurve::Linear, 118), (ToneCurve::Reinhard, 109), (ToneCurve::Filmic, 141)]
         {
-            let display = Display { exposure: Exposure::Ev(0.0), tone: Some(curve) };
+            let display = Display { exposure: Exposure::Ev(0.0), tone: Some(curve), despeckle: false };
             let bytes = encode(&three(), &display).unwrap();
             let image = image::load_from_memory(&bytes).unwrap().to_rgb8();
             assert_eq!(image.get_pixel(0, 0).0, [0, 0, 0], "{curve:?}");
