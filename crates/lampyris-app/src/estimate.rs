@@ -20,7 +20,7 @@ pub(crate) const BATCHES: u32 = 8;
 /// Light paths times pixels in one batch, as far as the bounds on the paths allow: the batches of a large picture stay
 /// short, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's size alone: time
 /// never decides what a batch is.
-const WORK: u64 = 20_000_000;
+const WORK: u64 = 10_000_000;
 const PICTURE_PATHS: (u64, u64) = (16, 64);
 const METER_PATHS: (u64, u64) = (64, 1024);
 
@@ -125,8 +125,8 @@ mod tests {
         let of = |w: u64, h: u64| paths(w * h, PICTURE_PATHS);
         assert_eq!(
             [of(1, 1), of(240, 160), of(640, 480), of(1920, 1080), of(8192, 8192)],
-            [64, 64, 64, 16, 16]
+            [64, 64, 32, 16, 16]
         );
-        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 1024, 64]);
+        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 512, 64]);
     }
 }

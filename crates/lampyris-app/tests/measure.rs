@@ -179,14 +179,14 @@ fn compare(scene: &str, reference: &str, converged: &[f64]) {
         text.lines().map(|l| l.split_whitespace().nth(6).unwrap().parse().unwrap()).collect();
     let kept = radiance.len() - converged.len();
     radiance[kept..].copy_from_slice(converged);
-    let ours = |parts: &str, paths: u32| -> Vec<f64> {
+    let ours = |parts: &str| -> Vec<f64> {
         let args = format!(
-            "measure {root}/{scene} --root {root} --points {root}/ref/{reference} --parts {parts} --paths {paths} --batches 16 --json --quiet"
+            "measure {root}/{scene} --root {root} --points {root}/ref/{reference} --parts {parts} --batches 16 --json --quiet"
         );
         let json = run(&folder, &args).json();
         json.as_array().unwrap().iter().map(|r| r["lux"].as_f64().unwrap()).collect()
     };
-    let (parts, path) = (ours("all", 16384), ours("path", 16384));
+    let (parts, path) = (ours("all --paths 16384"), ours("path --spp 16384"));
     let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
     println!("{scene}: mean {:.2}, path {:.2}, Radiance {:.2}", mean(&parts), mean(&path), mean(&radiance));
     assert!((mean(&parts) / mean(&radiance) - 1.0).abs() < 0.05);
