@@ -21,16 +21,20 @@ Examples:
       direct light alone with all further layers, and a report for a script
   lampyris render room.mgf --eye 1,2,1.6 --target 4,2,1.2 --up 0,0,1 --fov 60
 
-The picture is in cd/m². OpenEXR holds just that; PNG shows it through --exposure and --tone, HDR through
---exposure and, if given, --tone. Ctrl-C writes what is there, a second Ctrl-C ends at once.";
+The picture is in cd/m². OpenEXR holds just that; PNG shows it through --exposure and
+--tone, HDR through --exposure and, if given, --tone. Ctrl-C writes what is there, a second Ctrl-C ends at once.";
 
 const MEASURE_EXAMPLES: &str = "\
 Examples:
   lampyris measure room.mgf --points desk.txt
   lampyris measure room.mgf --points desk.txt --batches 64 --json
 
-Each line of the file is a meter: x y z nx ny nz [m; the normal of the side that measures]. Further columns, empty
-lines and lines that start with # are ignored. The error is half the 95 % interval, in lux.";
+Each line of the file is a meter: x y z nx ny nz [m; the normal of the side that measures].
+Further columns, empty lines and lines that start with # are ignored. The error is half the
+95 % interval, in lux.";
+
+/// A heading of single arguments: one of a whole struct would cover all that follow it.
+const LIMITS: &str = "Limits on what a scene may ask for";
 
 /// Global illumination by virtual point lights.
 #[derive(Debug, Parser)]
@@ -116,7 +120,7 @@ pub(crate) struct EstimateArgs {
     /// Parts to add up: all, path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
     pub(crate) parts: Vec<String>,
-    /// Light paths started in one batch [default: 64]
+    /// Light paths started in one batch [default: by the picture's size 16 to 64, by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
     /// Batches [default: 8, or as many as --time allows]
@@ -165,25 +169,24 @@ pub(crate) struct SceneArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Limits on what a scene may ask for")]
 pub(crate) struct LimitArgs {
     /// Bytes in one file
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_file_bytes: Option<u64>,
     /// Triangles in the whole scene
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_triangles: Option<u64>,
     /// Files included within each other
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_include_depth: Option<u64>,
     /// Entities, repetitions counted
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_entities: Option<u64>,
     /// Product of nested array sizes
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_array: Option<u64>,
     /// Vertices of a polygon
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_polygon: Option<u64>,
 }
 

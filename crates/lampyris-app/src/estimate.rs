@@ -15,10 +15,31 @@ use std::time::{Duration, Instant};
 const PATHS_PER_EYE_PASS: u32 = 8;
 
 /// Batches where neither their number nor a time is given: each randomisation has several.
-const BATCHES: u32 = 8;
+pub(crate) const BATCHES: u32 = 8;
 
-/// The settings that the arguments ask for.
-pub(crate) fn settings(args: &EstimateArgs) -> Result<Settings, Failure> {
+/// Light paths times pixels in one batch, as far as the bounds on the paths allow: the batches of a large picture stay
+/// short, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's size alone: time
+/// never decides what a batch is.
+const WORK: u64 = 10_000_000;
+const PICTURE_PATHS: (u64, u64) = (16, 64);
+const METER_PATHS: (u64, u64) = (64, 1024);
+
+/// The settings that the arguments ask for, for a picture of that size.
+pub(crate) fn for_picture(args: &EstimateArgs, (width, height): (u32, u32)) -> Result<Settings, Failure> {
+    settings(args, paths(u64::from(width) * u64::from(height), PICTURE_PATHS))
+}
+
+/// The settings that the arguments ask for, for so many meters.
+pub(crate) fn for_meters(args: &EstimateArgs, meters: usize) -> Result<Settings, Failure> {
+    settings(args, paths(meters as u64, METER_PATHS))
+}
+
+/// A power of two.
+fn paths(pixels: u64, (least, most): (u64, u64)) -> u32 {
+    1 << (WORK / pixels.max(1)).clamp(least, most).ilog2()
+}
+
+fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
     let defaults = Settings::default();
     let mut parts = Vec::new();
     for name in &args.parts {
@@ -31,7 +52,7 @@ pub(crate) fn settings(args: &EstimateArgs) -> Result<Settings, Failure> {
     if args.no_compensate {
         parts.retain(|p| p != "compensation");
     }
-    let paths = args.paths.unwrap_or(defaults.paths);
+    let paths = args.paths.unwrap_or(paths);
     let settings = Settings {
         parts,
         paths,
@@ -93,4 +114,19 @@ fn overruns(time: Option<Duration>, start: Instant, batch: Duration) -> bool {
 fn time_left(args: &EstimateArgs, start: Instant, batch: Duration, batches: u32) -> Duration {
     let by_number = batch.saturating_mul(batches);
     args.time.map_or(by_number, |t| by_number.min(t.saturating_sub(start.elapsed())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_shrink_as_pictures_grow_and_stay_within_bounds() {
+        let of = |w: u64, h: u64| paths(w * h, PICTURE_PATHS);
+        assert_eq!(
+            [of(1, 1), of(240, 160), of(640, 480), of(1920, 1080), of(8192, 8192)],
+            [64, 64, 32, 16, 16]
+        );
+        assert_eq!([1, 16, 10_000, 1 << 26].map(|n| paths(n, METER_PATHS)), [1024, 1024, 512, 64]);
+    }
 }

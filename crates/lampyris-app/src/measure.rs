@@ -39,8 +39,8 @@ struct Reading {
 /// Measures and prints.
 pub(crate) fn measure(args: &MeasureArgs) -> Result<ExitCode, Failure> {
     let start = Instant::now();
-    let settings = estimate::settings(&args.estimate)?;
     let meters = read(&args.points)?;
+    let settings = estimate::for_meters(&args.estimate, meters.len())?;
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
     backend.begin(loaded.scene, Eye::Meters(meters.clone()), &settings)?;

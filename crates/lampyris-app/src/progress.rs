@@ -1,6 +1,7 @@
 //! How far, how exact, how long still: one line on standard error, where that is a terminal.
 
 use crate::cli::EstimateArgs;
+use crate::estimate::BATCHES;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
@@ -13,7 +14,7 @@ impl Progress {
         let bar = match (quiet, args.batches, args.time) {
             (true, ..) => ProgressBar::hidden(),
             (_, None, Some(_)) => ProgressBar::new_spinner(),
-            (_, batches, _) => ProgressBar::new(batches.unwrap_or(16).into()),
+            (_, batches, _) => ProgressBar::new(batches.unwrap_or(BATCHES).into()),
         };
         let template =
             if bar.length().is_some() { "{bar:24} {pos}/{len} {msg}" } else { "{pos} batches {msg}" };

@@ -3,7 +3,7 @@
 use crate::cli::RenderArgs;
 use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::{Progress, error_text};
-use crate::{estimate, memory, say, scene_file, viewing};
+use crate::{estimate, interrupt, memory, say, scene_file, viewing};
 use glam::Vec3;
 use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
 use lampyris::cpu::Cpu;
@@ -73,7 +73,7 @@ struct Seconds {
 pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let outputs = outputs(args)?;
-    let settings = Settings { auxiliary: args.aov, ..estimate::settings(&args.estimate)? };
+    let settings = Settings { auxiliary: args.aov, ..estimate::for_picture(&args.estimate, args.size)? };
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let loaded_at = Instant::now();
 
@@ -98,7 +98,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let frame = backend.frame()?;
     let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
     let display = Display { exposure: args.exposure, tone: args.tone, despeckle: !args.no_despeckle };
-    let written = outputs.iter().map(|path| output::save(path, &picture, &display));
+    let written = outputs.iter().map(|path| interrupt::writing(|| output::save(path, &picture, &display)));
     // Each file is tried: a full disk under one says nothing of the others.
     let failed = written.fold(None, |failed, done| failed.or(done.err()));
     if let Some(error) = failed {

@@ -70,6 +70,9 @@ fn help_and_version_go_to_standard_output() {
     for word in ["Examples:", "--eye", "--no-compensate", "--max-triangles", "cd/m²"] {
         assert!(out.contains(word), "{word}");
     }
+    // The heading of the limits covers nothing else.
+    let (options, limits) = out.split_once("Limits on what a scene may ask for").unwrap();
+    assert!(options.contains("--quiet") && !limits.split_once("Examples").unwrap().0.contains("--quiet"));
     let (code, out, _) = run(&["--version"]);
     assert_eq!((code, out.as_str()), (0, concat!("lampyris ", env!("CARGO_PKG_VERSION"), "\n")));
 }

@@ -43,8 +43,8 @@ fn the_report_has_every_key_and_the_figures_make_sense() {
             assert!(share > 0.0 && share <= 1.0, "{key}: {share}");
         }
         let eye_rays = report["rays"]["eye"].as_u64().unwrap();
-        // One path and one eye pass a light path: 8 passes of 4 batches, and mirrors only add.
-        assert!(eye_rays >= 32 * 24 * 8 * 4 && report["vpls"].as_u64().unwrap() > 0);
+        // One eye pass for eight light paths and batch, and mirrors only add.
+        assert!(eye_rays >= 32 * 24 * 4 && report["vpls"].as_u64().unwrap() > 0);
         let error = report["error"].as_f64().unwrap();
         assert!(error > 0.0 && error < 1.0, "{error}");
         let seconds = |key: &str| report["seconds"][key].as_f64().unwrap();
@@ -219,4 +219,23 @@ fn quiet_is_silent_and_without_an_output_the_scene_names_it() {
     let run = run(&folder, "render cube.mgf --size 8x6 --paths 2 --batches 2 --quiet");
     assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
     assert_eq!(folder.files(), ["cube.png"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_over_the_limit_of_the_process_is_an_error_and_leaves_the_old_one() {
+    let folder = Folder::new("limit");
+    folder.put("a.exr", "old");
+    // A block is 512 or 1024 bytes; the picture has 48 kB.
+    let script = format!(
+        "ulimit -f 8; exec {} render cube.mgf -o a.exr --size 64x64 --paths 2 --batches 2",
+        env!("CARGO_BIN_EXE_lampyris")
+    );
+    let output =
+        std::process::Command::new("sh").args(["-c", &script]).current_dir(&folder.0).output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(4), "{err}");
+    assert!(err.contains("cannot write a.exr"), "{err}");
+    assert_eq!(folder.files(), ["a.exr"]);
+    assert_eq!(folder.bytes("a.exr"), b"old");
 }
