@@ -126,7 +126,7 @@ pub(crate) struct EstimateArgs {
     /// Batches [default: 8, or as many as --time allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) batches: Option<u32>,
-    /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one for 8 paths]
+    /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one for 8 paths; one a path for `path`]
     #[arg(long, value_name = "N")]
     pub(crate) spp: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done

@@ -53,10 +53,12 @@ fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
         parts.retain(|p| p != "compensation");
     }
     let paths = args.paths.unwrap_or(paths);
+    // The oracle uses no light paths: there a batch of N means N samples.
+    let shared = if parts == ["path"] { paths } else { paths.div_ceil(PATHS_PER_EYE_PASS) };
     let settings = Settings {
         parts,
         paths,
-        passes: Some(args.spp.unwrap_or(paths.div_ceil(PATHS_PER_EYE_PASS))),
+        passes: Some(args.spp.unwrap_or(shared)),
         clamp: args.clamp.unwrap_or(defaults.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(defaults.absorption), absorption)?,
         sequence: args.sequence.as_deref().map_or(Ok(defaults.sequence), sequence)?,
