@@ -128,7 +128,7 @@ impl Tracer {
     }
 
     /// The nearest hit with 0 < t < `t_max`; of equally near ones that of the smallest instance, then triangle. Rays
-    /// that are not finite miss.
+    /// that are not finite, or whose direction is longer than 8e37 (its reciprocal leaves f32), miss.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         if !sound(ray) {
             return None;
