@@ -4,7 +4,7 @@
 
 use super::bvh::{End, PacketBest, mask};
 use super::tracer::{sound_direction, sound_origin};
-use super::{Hit, Tracer};
+use super::{Hit, Ray, Tracer};
 use glam::Vec3;
 
 /// Rays in a packet.
@@ -49,7 +49,7 @@ impl Tracer {
         if self.has_placed() {
             for i in lanes(live) {
                 let mut single = best.lane(i);
-                self.closest_placed(&self.flat.prepare(origin, lane(directions, i)), &mut single);
+                self.closest_placed(&Ray::new(origin, lane(directions, i)), &mut single);
                 best.set(i, &single);
             }
         }
@@ -73,9 +73,8 @@ impl Tracer {
         let mut blocked = self.flat.occluded16(self.kernel, origin, &directions, targets, live);
         if self.has_placed() {
             for i in lanes(live & !blocked) {
-                let ray = self.flat.prepare(origin, lane(&directions, i));
                 let end = End::Point(lane(targets, i));
-                blocked |= u16::from(self.placed_stop(&ray, 1.0, end)) << i;
+                blocked |= u16::from(self.placed_stop(&Ray::between(origin, lane(targets, i)), end)) << i;
             }
         }
         blocked

@@ -2,9 +2,7 @@
 //! one tree in world space; meshes used more often keep a tree each, below a tree over their instances. It knows
 //! neither materials nor light, and a change of the scene builds it anew.
 
-use super::bvh::{
-    Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Prepared, Primitive, Slab, Tree, build,
-};
+use super::bvh::{Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -130,28 +128,28 @@ impl Tracer {
     }
 
     /// The nearest hit with 0 < t < `t_max`; of equally near ones that of the smallest instance, then triangle. Rays
-    /// that are not finite miss.
+    /// that are not finite, or whose direction is longer than 8e37 (its reciprocal leaves f32), miss.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         if !sound(ray) {
             return None;
         }
         let mut best = Best::none(ray.t_max);
-        let prepared = self.flat.prepare(ray.origin, ray.direction);
-        self.flat.closest(self.kernel, &prepared, None, &mut best);
-        self.closest_placed(&prepared, &mut best);
+        self.flat.closest(self.kernel, ray, None, &mut best);
+        self.closest_placed(ray, &mut best);
         best.hit()
     }
 
     /// The part of [`Tracer::closest`] that meets shared meshes.
-    pub(super) fn closest_placed(&self, ray: &Prepared, best: &mut Best) {
+    pub(super) fn closest_placed(&self, ray: &Ray, best: &mut Best) {
         if self.placed.is_empty() {
             return;
         }
-        let slab = Slab::new(ray.line.origin, ray.line.direction, &self.bounds, 0.0);
+        let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
         self.top.walk(&slab, best.t, |leaf| {
             let instance = &self.placed[leaf as usize];
             let tree = &self.shared[instance.tree as usize].tree;
-            tree.closest(self.kernel, &instance.prepare(ray, tree), Some(&instance.place), best);
+            let slab = instance.slab(ray, tree);
+            tree.closest(self.kernel, ray, Some((&instance.place, &slab)), best);
             best.t
         });
     }
@@ -169,22 +167,22 @@ impl Tracer {
     }
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
-        let prepared = self.flat.prepare(ray.origin, ray.direction);
-        self.flat.occluded(self.kernel, &prepared, end, None) || self.placed_stop(&prepared, ray.t_max, end)
+        self.flat.occluded(self.kernel, ray, end, None) || self.placed_stop(ray, end)
     }
 
     /// Does a shared mesh block the ray?
-    pub(super) fn placed_stop(&self, ray: &Prepared, t_max: f32, end: End) -> bool {
+    pub(super) fn placed_stop(&self, ray: &Ray, end: End) -> bool {
         if self.placed.is_empty() {
             return false;
         }
         let mut hit = false;
-        let slab = Slab::new(ray.line.origin, ray.line.direction, &self.bounds, 0.0);
-        self.top.walk(&slab, t_max, |leaf| {
+        let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
+        self.top.walk(&slab, ray.t_max, |leaf| {
             let instance = &self.placed[leaf as usize];
             let tree = &self.shared[instance.tree as usize].tree;
-            hit = tree.occluded(self.kernel, &instance.prepare(ray, tree), end, Some(&instance.place));
-            if hit { f32::NEG_INFINITY } else { t_max }
+            let slab = instance.slab(ray, tree);
+            hit = tree.occluded(self.kernel, ray, end, Some((&instance.place, &slab)));
+            if hit { f32::NEG_INFINITY } else { ray.t_max }
         });
         hit
     }
@@ -248,15 +246,15 @@ impl Instance {
     }
 
     /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
-    fn prepare(&self, ray: &Prepared, tree: &Tree) -> Prepared {
+    fn slab(&self, ray: &Ray, tree: &Tree) -> Slab {
         let apply = |x: [f64; 3]| {
             Vec3::from_array(self.inverse.map(|r| (r[0] * x[0] + r[1] * x[1] + r[2] * x[2]) as f32))
         };
         let at = self.place.transform.translation;
-        let origin = apply([0, 1, 2].map(|a| f64::from(ray.line.origin[a]) - f64::from(at[a])));
-        let direction = apply(ray.line.direction.to_array().map(f64::from));
+        let origin = apply([0, 1, 2].map(|a| f64::from(ray.origin[a]) - f64::from(at[a])));
+        let direction = apply(ray.direction.to_array().map(f64::from));
         let error = self.error + origin.abs().max_element() * 4.0 * f32::EPSILON;
-        Prepared { slab: Slab::new(origin, direction, &tree.bounds(), error), ..*ray }
+        Slab::new(origin, direction, &tree.bounds(), error)
     }
 }
 
@@ -273,18 +271,20 @@ fn inverse(transform: &Affine3A) -> [[f64; 3]; 3] {
 }
 
 fn sound(ray: &Ray) -> bool {
-    sound_origin(ray.origin) && sound_direction(ray.direction) && !ray.t_max.is_nan()
+    sound_origin(ray.origin) & sound_direction(ray.direction) & !ray.t_max.is_nan()
 }
 
 pub(super) fn sound_origin(origin: Vec3) -> bool {
-    origin.is_finite() && origin.abs().max_element() <= FARTHEST
+    // False for NaN; without branches, as the rest of the setting up of a ray.
+    let [x, y, z] = origin.to_array().map(|o| o.abs() <= FARTHEST);
+    x & y & z
 }
 
-/// The sum of the components lets no NaN pass.
+/// The sum of the components lets no NaN pass. Reciprocals of both bounds are neither infinite nor subnormal.
 #[inline(always)]
 pub(super) fn sound_direction(direction: Vec3) -> bool {
     let length = direction.x.abs() + direction.y.abs() + direction.z.abs();
-    (f32::MIN_POSITIVE..=f32::MAX).contains(&length)
+    (f32::MIN_POSITIVE..=1.0 / f32::MIN_POSITIVE).contains(&length)
 }
 
 fn usable(instance: &Placement, meshes: &[MeshGeometry<'_>]) -> bool {

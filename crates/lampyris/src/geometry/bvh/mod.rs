@@ -19,8 +19,8 @@ pub(super) use packet::{PacketBest, mask};
 pub(super) use slab::Slab;
 pub(super) use triangle::Plane;
 
-use super::Hit;
 use super::packet::{LANES, lane, lanes};
+use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
 use triangle::{Crossing, Shear, crossing, pierced};
 
@@ -99,12 +99,11 @@ pub(super) struct Line {
     pub(super) shear: Shear,
 }
 
-/// A ray made ready for boxes and triangles.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Prepared {
-    pub(super) line: Line,
-    /// Against the boxes of the tree, in the space of the tree.
-    pub(super) slab: Slab,
+impl Line {
+    #[inline(always)]
+    pub(super) fn new(ray: &Ray) -> Line {
+        Line { origin: ray.origin, direction: ray.direction, shear: Shear::new(ray.direction) }
+    }
 }
 
 /// The best hit so far.
@@ -170,7 +169,11 @@ impl Kernel {
         match self {
             Kernel::Portable => true,
             #[cfg(target_arch = "x86_64")]
-            Kernel::Avx2 => is_x86_feature_detected!("avx2"),
+            Kernel::Avx2 => {
+                is_x86_feature_detected!("avx2")
+                    && is_x86_feature_detected!("bmi1")
+                    && is_x86_feature_detected!("popcnt")
+            }
             #[cfg(target_arch = "x86_64")]
             Kernel::Avx512 => {
                 Kernel::Avx2.available()
@@ -206,7 +209,15 @@ impl Tree {
         self.hierarchy.memory() + size_of_val(&self.blocks[..])
     }
 
-    pub(super) fn closest(&self, kernel: Kernel, ray: &Prepared, placed: Option<&Placed>, best: &mut Best) {
+    /// Offers `best` what a ray of the world meets. If the tree is that of a shared mesh, it also needs the place of the
+    /// instance and the ray against the boxes of that mesh. Rays are made ready in the kernels, where it costs least.
+    pub(super) fn closest(
+        &self,
+        kernel: Kernel,
+        ray: &Ray,
+        placed: Option<(&Placed, &Slab)>,
+        best: &mut Best,
+    ) {
         match kernel {
             // SAFETY: a tracer holds only kernels that the machine was found to have.
             #[cfg(target_arch = "x86_64")]
@@ -215,7 +226,14 @@ impl Tree {
         }
     }
 
-    pub(super) fn occluded(&self, kernel: Kernel, ray: &Prepared, end: End, placed: Option<&Placed>) -> bool {
+    /// Does a ray meet anything before its end? Otherwise as [`Tree::closest`].
+    pub(super) fn occluded(
+        &self,
+        kernel: Kernel,
+        ray: &Ray,
+        end: End,
+        placed: Option<(&Placed, &Slab)>,
+    ) -> bool {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
@@ -242,7 +260,7 @@ impl Tree {
             _ => {
                 for i in lanes(live) {
                     let mut single = best.lane(i);
-                    self.closest(kernel, &self.prepare(origin, lane(directions, i)), None, &mut single);
+                    self.closest(kernel, &Ray::new(origin, lane(directions, i)), None, &mut single);
                     best.set(i, &single);
                 }
             }
@@ -263,16 +281,19 @@ impl Tree {
             #[cfg(target_arch = "x86_64")]
             Kernel::Avx512 => unsafe { simd_avx512::occluded16(self, origin, directions, targets, live) },
             _ => lanes(live).fold(0, |blocked, i| {
-                let ray = self.prepare(origin, lane(directions, i));
-                blocked | u16::from(self.occluded(kernel, &ray, End::Point(lane(targets, i)), None)) << i
+                let (ray, end) = (Ray::new(origin, lane(directions, i)), End::Point(lane(targets, i)));
+                blocked | u16::from(self.occluded(kernel, &ray, end, None)) << i
             }),
         }
     }
 
-    /// A ray in the space of the tree.
-    pub(super) fn prepare(&self, origin: Vec3, direction: Vec3) -> Prepared {
-        let line = Line { origin, direction, shear: Shear::new(direction) };
-        Prepared { line, slab: Slab::new(origin, direction, &self.bounds(), 0.0) }
+    /// A ray against the boxes of the tree.
+    #[inline(always)]
+    fn slab(&self, ray: &Ray, placed: Option<(&Placed, &Slab)>) -> Slab {
+        match placed {
+            Some((_, slab)) => *slab,
+            None => Slab::new(ray.origin, ray.direction, &self.bounds(), 0.0),
+        }
     }
 }
 

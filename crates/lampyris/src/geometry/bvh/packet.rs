@@ -61,9 +61,9 @@ impl Packet {
         };
         for i in 0..LANES {
             let along = d[kz][i];
-            packet.sx[i] = d[axes[0]][i] / along;
-            packet.sy[i] = d[axes[1]][i] / along;
             packet.sz[i] = 1.0 / along;
+            packet.sx[i] = d[axes[0]][i] * packet.sz[i];
+            packet.sy[i] = d[axes[1]][i] * packet.sz[i];
             packet.slack[i] = slab.widening * packet.sz[i].abs();
         }
         for axis in 0..3 {

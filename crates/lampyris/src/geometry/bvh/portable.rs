@@ -1,40 +1,43 @@
 //! The walk in plain Rust: one ray, one box, one triangle after the other. It is the oracle of the SIMD kernels and
 //! serves machines without them. It does not hurry.
 
-use super::{Best, End, Hierarchy, LEAF, NONE, Placed, Prepared, STACK, Slab, Tree, WIDTH};
+use super::{Best, End, Hierarchy, LEAF, Line, NONE, Placed, STACK, Slab, Tree, WIDTH};
+use crate::geometry::Ray;
 
-pub(super) fn closest(tree: &Tree, ray: &Prepared, placed: Option<&Placed>, best: &mut Best) {
-    walk(&tree.hierarchy, &ray.slab, best.t, |leaf| {
+pub(super) fn closest(tree: &Tree, ray: &Ray, placed: Option<(&Placed, &Slab)>, best: &mut Best) {
+    let (line, slab) = (Line::new(ray), tree.slab(ray, placed));
+    walk(&tree.hierarchy, &slab, best.t, |leaf| {
         let block = &tree.blocks[leaf as usize];
         let moved;
         let block = match placed {
-            Some(place) => {
+            Some((place, _)) => {
                 moved = block.placed(place);
                 &moved
             }
             None => block,
         };
         for i in 0..WIDTH {
-            block.offer(i, &ray.line, best);
+            block.offer(i, &line, best);
         }
         best.t
     });
 }
 
-pub(super) fn occluded(tree: &Tree, ray: &Prepared, end: End, placed: Option<&Placed>) -> bool {
+pub(super) fn occluded(tree: &Tree, ray: &Ray, end: End, placed: Option<(&Placed, &Slab)>) -> bool {
+    let (line, slab) = (Line::new(ray), tree.slab(ray, placed));
     let t_max = match end {
         End::Distance(t) => t,
         End::Point(_) => 1.0,
     };
     let mut hit = false;
-    walk(&tree.hierarchy, &ray.slab, t_max, |leaf| {
+    walk(&tree.hierarchy, &slab, t_max, |leaf| {
         let block = &tree.blocks[leaf as usize];
         hit = match placed {
-            Some(place) => {
+            Some((place, _)) => {
                 let moved = block.placed(place);
-                (0..WIDTH).any(|i| moved.blocks(i, &ray.line, end))
+                (0..WIDTH).any(|i| moved.blocks(i, &line, end))
             }
-            None => (0..WIDTH).any(|i| block.blocks(i, &ray.line, end)),
+            None => (0..WIDTH).any(|i| block.blocks(i, &line, end)),
         };
         if hit { f32::NEG_INFINITY } else { t_max }
     });

@@ -10,8 +10,8 @@ use glam::Vec3;
 pub(super) const STRETCH: f32 = 1.0 + 2.0 * (3.0 * f32::EPSILON / 2.0) * 1.000_001;
 
 /// Fraction of the largest distance to a corner by which shear and rounding may move it: the shear moves x by at most
-/// 2⁻²⁴·(2|x| + 4|z|) ≤ 8·2⁻²⁴ of it, computed distances err as much along z; doubled for the rounding of the rest.
-const WIDENING: f32 = 16.0 * f32::EPSILON;
+/// 2⁻²⁴·(2|x| + 5|z|) ≤ 9·2⁻²⁴ of it, computed distances err as much along z; doubled for the rounding of the rest.
+const WIDENING: f32 = 18.0 * f32::EPSILON;
 
 /// A line prepared for boxes.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,7 @@ pub(crate) struct Slab {
 
 impl Slab {
     /// `bounds` hold all boxes; `error` bounds what `origin` lacks in precision.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Bounds, error: f32) -> Slab {
         let reach = (bounds.lower - origin).abs().max((bounds.upper - origin).abs()).max_element();
         let widening = reach * WIDENING + error;
@@ -49,7 +49,8 @@ impl Slab {
     #[inline(always)]
     pub(super) fn inverse(component: f32, largest: f32) -> f32 {
         let least = largest * (1.0 / 18_446_744_073_709_551_616.0);
-        1.0 / if component.abs() < least { least.copysign(component) } else { component }
+        let size = component.abs();
+        1.0 / if size < least { least } else { size }.copysign(component)
     }
 
     /// Distances at which the line enters and leaves a box; it misses where the first exceeds the second.

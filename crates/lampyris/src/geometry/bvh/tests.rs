@@ -90,12 +90,13 @@ fn walks_agree_with_brute_force() {
             let mut expected = [None; LANES];
             let mut stopped = 0u16;
             for i in (0..LANES).filter(|i| live >> i & 1 == 1) {
-                let ray = tree.prepare(origin, lane(i) - origin);
+                let ray = Ray::between(origin, lane(i));
+                let line = Line::new(&ray);
                 let mut best = Best::none(f32::INFINITY);
                 for block in &tree.blocks {
                     for k in 0..WIDTH {
-                        block.offer(k, &ray.line, &mut best);
-                        stopped |= u16::from(block.blocks(k, &ray.line, End::Point(lane(i)))) << i;
+                        block.offer(k, &line, &mut best);
+                        stopped |= u16::from(block.blocks(k, &line, End::Point(lane(i)))) << i;
                     }
                 }
                 expected[i] = best.hit();

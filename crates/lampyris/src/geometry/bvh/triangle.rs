@@ -24,24 +24,27 @@ pub(crate) struct Shear {
 }
 
 impl Shear {
+    #[inline(always)]
     pub(crate) fn new(direction: Vec3) -> Shear {
         let d = direction.to_array();
         let kz = largest_axis(d);
-        let (kx, ky) = ((kz + 1) % 3, (kz + 2) % 3);
-        Shear { kx, ky, kz, sx: d[kx] / d[kz], sy: d[ky] / d[kz], sz: 1.0 / d[kz], negative: d[kz] < 0.0 }
+        let [kx, ky] = OTHERS[kz];
+        // One division serves the shear and the boxes; both allow for the rounding of the products.
+        let sz = 1.0 / d[kz];
+        Shear { kx, ky, kz, sx: d[kx] * sz, sy: d[ky] * sz, sz, negative: d[kz] < 0.0 }
     }
 }
 
-/// The axis of the largest component; the first of equals.
+/// The axes after each axis.
+static OTHERS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
+/// The axis of the largest component; the first of equals. Without branches, which rays in all directions would fool.
+#[inline(always)]
 pub(super) fn largest_axis(d: [f32; 3]) -> usize {
     let a = d.map(f32::abs);
-    if a[0] >= a[1] && a[0] >= a[2] {
-        0
-    } else if a[1] >= a[2] {
-        1
-    } else {
-        2
-    }
+    let second = a[1] > a[0];
+    let larger = if second { a[1] } else { a[0] };
+    std::hint::select_unpredictable(a[2] > larger, 2, usize::from(second))
 }
 
 /// Where a line meets a triangle.
