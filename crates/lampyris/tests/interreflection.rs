@@ -253,7 +253,7 @@ fn parallel_plates() {
     };
     let b_1 = 1.0 / (1.0 - f64::from(rho_1 * rho_2));
     let (ceiling, floor) = (meters(1.0 - GAP, Vec3::NEG_Y), meters(GAP, Vec3::Y));
-    for s in [clamped(8.0, settings(FAST, 1 << 11, 256, 0)), settings(ORACLE, 1, 64, 0)] {
+    for s in [clamped(8.0, settings(FAST, 1 << 12, 512, 0)), settings(ORACLE, 1, 64, 0)] {
         let measure = |meters: &[Meter], seed| mean(&lux(&b.0, meters, &Settings { seed, ..s.clone() }, 1));
         close_mean(&format!("ceiling by {}", who(&s)), 16, b_1, MEAN, |seed| measure(&ceiling, seed));
         let b_2 = f64::from(rho_2) * b_1;
@@ -299,7 +299,7 @@ fn furnace() {
     let clear = b.material(glass(), 0.0, Sides::Both);
     b.sphere(Vec3::ZERO, 0.5, 3, false, |_| clear);
     // Rare and long paths at its rim: noisier.
-    let eyes = eyes.map(|s| Settings { passes: Some(768), ..s });
+    let eyes = eyes.map(|s| Settings { passes: Some(1600), ..s });
     see_to(2.0 * FURNACE, "facetted glass ball", &b, 1.0, eyes);
 }
 
