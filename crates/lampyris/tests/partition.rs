@@ -17,12 +17,12 @@ const SEEDS: u32 = 16;
 /// Pixels of a picture, width and height, and of the square tiles that are compared.
 const SIZE: [u32; 2] = [16, 12];
 const TILE: u32 = 4;
-/// Tests of one scene: tiles and meters.
-const TESTS: usize = 12 + 2;
+/// Tests of one scene: tiles, meters, and the whole picture.
+const TESTS: usize = 12 + 2 + 1;
 /// Scenes in this file.
 const SCENES: usize = 10;
 
-/// Means over tiles of the camera's picture, then the meters.
+/// Sums over tiles of the camera's picture, then the meters, then the sum of the picture.
 fn observe(scene: &Build, eye: &Eye, meters: &Eye, s: &Settings, batches: u32) -> Vec<f64> {
     let picture = render(&scene.0, eye.clone(), s, batches);
     let mut all = Vec::new();
@@ -34,6 +34,7 @@ fn observe(scene: &Build, eye: &Eye, meters: &Eye, s: &Settings, batches: u32) -
     }
     let e = render(&scene.0, meters.clone(), s, batches);
     all.extend(e.iter().map(|v| f64::from(v.luminance())));
+    all.push(all[..12].iter().sum());
     all
 }
 
@@ -55,12 +56,13 @@ fn compare(name: &str, scene: &Build, [eye, target]: [Vec3; 2], fast: Settings, 
     }
     let [a, b] = &sides;
     let least = a.iter().zip(b).map(|(a, b)| a.p_value_against(b)).fold(1.0, f64::min);
-    let sum = |m: &[Moments]| m[..12].iter().map(Moments::mean).sum::<f64>();
     let noise =
         |m: &[Moments]| m.iter().map(|m| m.standard_error() / m.mean().abs().max(1e-9)).fold(0.0, f64::max);
+    let (whole, truth) = (a[TESTS - 1], b[TESTS - 1]);
     say(format_args!(
-        "{name}: fast/path {:+.2e}, least p {least:.4}; noisiest test ± {:.1e} fast, {:.1e} path",
-        sum(a) / sum(b) - 1.0,
+        "{name}: fast/path {:+.2e} ± {:.1e}, least p {least:.4}; noisiest test ± {:.1e} fast, {:.1e} path",
+        whole.mean() / truth.mean() - 1.0,
+        (whole.standard_error().powi(2) + truth.standard_error().powi(2)).sqrt() / truth.mean(),
         noise(a),
         noise(b)
     ));
