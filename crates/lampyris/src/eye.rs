@@ -261,6 +261,15 @@ impl<'w> Packet<'w> {
         Some(First { albedo, normal: s.shading, depth: hit.t, instance: s.instance })
     }
 
+    /// The box around the points of live lanes.
+    pub fn extent(&self) -> [Vec3; 2] {
+        let points = (0..LANES).filter(|k| self.live >> k & 1 == 1);
+        let [x, y, z] = &self.position;
+        points
+            .map(|k| Vec3::new(x[k], y[k], z[k]))
+            .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)])
+    }
+
     /// Lanes within the picture.
     pub fn lanes(&self) -> impl Iterator<Item = usize> + use<'w> {
         let pixels = self.pixels;

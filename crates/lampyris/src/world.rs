@@ -148,11 +148,14 @@ impl World {
         !self.lamps.is_empty()
     }
 
-    /// False only if no point of an emitter's area lies within `distance` of `x`.
-    pub fn may_glow_near(&self, x: Vec3, distance: f32) -> bool {
+    /// False only if no point of an emitter's area lies within `distance` of the box from `low` to `high`.
+    pub fn may_glow_near(&self, [low, high]: [Vec3; 2], distance: f32) -> bool {
         // Of very many emitters one is likely to be near, and asking all of them costs more than a ray.
         const MANY: usize = 64;
-        let near = |[lo, hi]: &[Vec3; 2]| (x - x.clamp(*lo, *hi)).length_squared() <= distance * distance;
+        let near = |[lo, hi]: &[Vec3; 2]| {
+            let gap = (*lo - high).max(low - *hi).max(Vec3::ZERO);
+            gap.length_squared() <= distance * distance
+        };
         self.glow_boxes.len() > MANY || self.glow_boxes.iter().any(near)
     }
 

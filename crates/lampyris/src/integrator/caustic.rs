@@ -4,8 +4,10 @@
 use super::path::{Scope, Start, trace};
 use super::{Integrator, Pass, STRIDE, turn_of};
 use crate::color::Rgb;
-use crate::eye::Tile;
+use crate::eye::{Numbers, Tile};
 use crate::settings::Rays;
+use crate::world::Surface;
+use crate::world::World;
 
 /// Paths L (S|D)* S D S* E.
 pub(super) struct Caustic;
@@ -27,11 +29,21 @@ impl Integrator for Caustic {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
                 if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 16)) {
-                    let start = Start::Surface(x.surface);
-                    let found = trace(pass.world, start, Scope::Caustics, numbers.branch(b's'.into()), rays);
-                    out[packet.pixels[k] as usize] += x.throughput * found.caustic * STRIDE as f32;
+                    let found = at(pass.world, &x.surface, numbers.branch(b's'.into()), &mut rays.path);
+                    out[packet.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
                 }
             }
         }
     }
+}
+
+/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex.
+pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
+    if !world.has_sharp_surfaces() {
+        return Rgb::BLACK;
+    }
+    let mut traced = Rays::default();
+    let found = trace(world, Start::Surface(*x), Scope::Caustics, numbers, &mut traced);
+    *rays += traced.path;
+    found.caustic
 }

@@ -4,7 +4,7 @@
 //! there, and its reflected light counts with weight (G − b)/G. A ray that meets a sharp lobe returns nothing: such
 //! paths are *caustic*'s.
 
-use super::{Integrator, Pass, STRIDE, direct, gather, turn_of};
+use super::{Integrator, Pass, STRIDE, caustic, direct, gather, turn_of};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
@@ -65,8 +65,9 @@ fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays:
             break;
         }
         throughput *= s.weight * (1.0 - b / g);
-        // L_r(y): direct light, clamped virtual lights, and what the clamp takes there in turn.
+        // L_r(y): direct light, light over sharp vertices, clamped virtual lights, and what the clamp takes in turn.
         let reflected = direct::at(pass, &y, numbers.branch(vertex + 1), rays)
+            + caustic::at(world, &y, numbers.branch(vertex + 1), &mut rays.compensation)
             + gather::from_some_lights(
                 world,
                 &y,

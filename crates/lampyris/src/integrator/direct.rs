@@ -30,10 +30,11 @@ impl Integrator for Direct {
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         gather::tile(pass, tile, pass.lights, out, &mut rays.shadow);
-        if pass.plan.emitter_bound == f32::INFINITY {
+        let reach = 1.0 / pass.plan.emitter_bound.sqrt();
+        if reach == 0.0 {
             return;
         }
-        for packet in &tile.packets {
+        for packet in tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach)) {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
                 if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed)) {
@@ -60,7 +61,7 @@ fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Ray
     }
     // G > b only within 1/√b.
     let reach = 1.0 / b.sqrt();
-    if !world.may_glow_near(x.position, reach) {
+    if !world.may_glow_near([x.position, x.position], reach) {
         return Rgb::BLACK;
     }
     let u = numbers.pair(ledger::direction(0));

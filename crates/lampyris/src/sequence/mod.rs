@@ -71,9 +71,10 @@ impl Sequence {
         }
     }
 
-    /// True if another seed gives other numbers: only then do randomisations exist.
+    /// True if another seed gives independent numbers: only then do randomisations exist. A jitter within cells does
+    /// not make them independent.
     pub const fn is_randomised(self) -> bool {
-        !matches!(self, Sequence::Halton)
+        !matches!(self, Sequence::Halton | Sequence::JitteredHalton)
     }
 
     /// The sequence of that name, if there is one.

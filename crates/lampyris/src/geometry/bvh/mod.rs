@@ -2,6 +2,27 @@
 //! Built by binned SAH [Wald 2007], walked as Embree does [Wald et al. 2014]: eight boxes or eight triangles at once,
 //! or sixteen rays of one origin. Which kernel walks is a matter of speed only: all give the same bits.
 
+/// An array of three, written out: what a closure given to `array::map` does is not compiled for AVX2 unless it
+/// happens to be inlined.
+macro_rules! three {
+    ($i:ident => $value:expr) => {
+        [
+            {
+                let $i = 0;
+                $value
+            },
+            {
+                let $i = 1;
+                $value
+            },
+            {
+                let $i = 2;
+                $value
+            },
+        ]
+    };
+}
+
 mod build;
 mod packet;
 mod portable;

@@ -54,27 +54,6 @@ pub(super) fn occluded(tree: &Tree, ray: &Ray, end: End, placed: Option<(&Placed
     hit
 }
 
-/// An array of three, written out: what a closure given to `array::map` does is not compiled for AVX2 unless it
-/// happens to be inlined.
-macro_rules! three {
-    ($i:ident => $value:expr) => {
-        [
-            {
-                let $i = 0;
-                $value
-            },
-            {
-                let $i = 1;
-                $value
-            },
-            {
-                let $i = 2;
-                $value
-            },
-        ]
-    };
-}
-
 /// `portable::walk`, eight boxes at a time. How many boxes are met is unpredictable, so nothing branches on it beyond
 /// none, one or more: the nearest is the least of keys, and the others are sorted by a network while it is fetched.
 /// Walks for `ANY` hit do not sort: their limit never changes.

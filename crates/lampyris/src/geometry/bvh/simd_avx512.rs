@@ -129,8 +129,8 @@ fn offer(
     best: &mut PacketBest,
 ) -> bool {
     let inverse = _mm512_div_ps(_mm512_set1_ps(1.0), tested.det);
-    let b = tested.e.map(|e| _mm512_mul_ps(e, inverse));
-    let z = tested.z.map(|z| _mm512_set1_ps(z));
+    let b = three!(k => _mm512_mul_ps(tested.e[k], inverse));
+    let z = three!(k => _mm512_set1_ps(tested.z[k]));
     let along = _mm512_add_ps(
         _mm512_add_ps(_mm512_mul_ps(b[0], z[0]), _mm512_mul_ps(b[1], z[1])),
         _mm512_mul_ps(b[2], z[2]),
@@ -180,7 +180,7 @@ fn walk(
     }
     let mut stack = [MaybeUninit::<(u32, u16, f32)>::uninit(); STACK];
     let mut depth = 0;
-    let inverse = [0, 1, 2].map(|a| load16(&packet.inverse[a]));
+    let inverse = three!(a => load16(&packet.inverse[a]));
     let [least, most] = packet.inverse_range;
     let mut farthest = _mm512_mask_reduce_max_ps(*alive, limit);
     let (mut child, mut mask) = (0, *alive);
@@ -301,7 +301,7 @@ impl Beam {
         };
         Beam {
             axes: packet.axes,
-            origin: packet.axes.map(|a| _mm256_set1_ps(packet.origin[a])),
+            origin: three!(k => _mm256_set1_ps(packet.origin[packet.axes[k]])),
             shears: [range(&packet.sx), range(&packet.sy)],
             sign: _mm256_set1_ps(if packet.negative { -0.0 } else { 0.0 }),
             end: _mm256_set1_ps(end),
@@ -322,7 +322,7 @@ impl Beam {
                 relative[3 * c + k] = store8(p[3 * c + k]);
             }
         }
-        let ahead = [2, 5, 8].map(|k| _mm256_xor_ps(p[k], self.sign));
+        let ahead = three!(k => _mm256_xor_ps(p[3 * k + 2], self.sign));
         let least = _mm256_min_ps(_mm256_min_ps(ahead[0], ahead[1]), ahead[2]);
         let most = _mm256_max_ps(_mm256_max_ps(ahead[0], ahead[1]), ahead[2]);
         // Ordered: false for NaN, which fills unused places.
@@ -360,7 +360,7 @@ struct Tested {
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
 fn test(relative: &Relative, i: usize, packet: &Packet, mask: u16) -> Tested {
-    let z = [2, 5, 8].map(|k| relative[k][i]);
+    let z = three!(k => relative[3 * k + 2][i]);
     let (sx, sy) = (load16(&packet.sx), load16(&packet.sy));
     let shear = |k: usize, s: __m512, z: f32| {
         _mm512_sub_ps(_mm512_set1_ps(relative[k][i]), _mm512_mul_ps(s, _mm512_set1_ps(z)))
