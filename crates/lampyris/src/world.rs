@@ -175,6 +175,7 @@ impl World {
     }
 
     /// The surface at a hit, seen along the unit vector `direction`.
+    #[inline]
     pub fn surface(&self, direction: Vec3, hit: &Hit) -> Surface<'_> {
         let facet = self.facets.get(hit.instance, hit.triangle);
         let finish = &self.finishes[facet.material as usize];

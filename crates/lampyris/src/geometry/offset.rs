@@ -18,6 +18,7 @@ pub struct SurfacePoint {
 
 impl SurfacePoint {
     /// The point with weight `u` of the second and `v` of the third corner.
+    #[inline]
     pub fn new(corners: &[Vec3; 3], u: f32, v: f32) -> SurfacePoint {
         let [a, b, c] = [corners[0] * (1.0 - u - v), corners[1] * u, corners[2] * v];
         SurfacePoint { position: a + b + c, error: (a.abs() + b.abs() + c.abs()) * ERROR }
@@ -25,6 +26,7 @@ impl SurfacePoint {
 
     /// Start of rays that leave on the side to which the unit geometric `normal` points: segments between such points
     /// never touch the triangles they start and end on.
+    #[inline]
     pub fn spawn(&self, normal: Vec3) -> Vec3 {
         let shift = normal * self.error.dot(normal.abs());
         // Rounded away from the surface.
