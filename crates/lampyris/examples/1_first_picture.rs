@@ -3,7 +3,7 @@
 
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::output::{Display, Picture, save};
-use lampyris::scene::{Camera, View, find_view};
+use lampyris::scene::{View, find_view};
 use lampyris::{cpu::Cpu, eye::Eye, import, world::World};
 use std::path::Path;
 
@@ -13,11 +13,10 @@ fn main() -> lampyris::Result<()> {
         return Err(lampyris::Error::BadSetting("give a scene and a picture's name".into()));
     };
     let loaded = import::load(Path::new(scene), &import::Options::default())?;
-    let world = World::new(loaded.scene.clone());
-    let camera: Camera = find_view(&loaded.scene, &|ray| world.tracer().closest(ray), 1.5).camera;
-
     let mut cpu = Cpu::new(None)?;
-    cpu.begin(loaded.scene, Eye::Camera(View::new(&camera, 480, 320)), &Settings::default())?;
+    let world = cpu.install(|| World::new(loaded.scene));
+    let camera = find_view(world.scene(), &|ray| world.tracer().closest(ray), 1.5).camera;
+    cpu.begin_world(world, Eye::Camera(View::new(&camera, 480, 320)), &Settings::default())?;
     for index in 0..4 {
         cpu.add(Batch { index })?;
     }
