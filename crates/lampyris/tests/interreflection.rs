@@ -233,7 +233,7 @@ fn points_in_the_closed_room_of_a_half() {
 #[ignore = "long: a minute"]
 fn points_in_the_closed_room_of_four_fifths() {
     let table = [630.1, 571.3, 532.1, 488.5, 402.0];
-    points_in_the_closed_room(0.8, table, clamped(2.0, settings(FAST, 1 << 12, 1 << 8, 0)), 16);
+    points_in_the_closed_room(0.8, table, clamped(2.0, settings(FAST, 1 << 12, 1 << 8, 0)), 64);
 }
 
 /// Infinite parallel plates: B₁ = M₁ + ρ₁B₂, B₂ = ρ₂B₁, hence B₁ = M₁/(1 − ρ₁ρ₂). The floor's illuminance is
