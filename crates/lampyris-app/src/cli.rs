@@ -141,7 +141,7 @@ pub(crate) struct EstimateArgs {
     /// Leave out what clamping takes: faster, too dark in corners
     #[arg(long)]
     pub(crate) no_compensate: bool,
-    /// Clamping radius of virtual lights in units of √(area/virtual lights); 0 clamps nothing [default: 2]
+    /// Clamping radius of virtual lights in units of √(area/virtual lights); 0 clamps nothing [default: 1.5]
     #[arg(long, value_name = "C")]
     pub(crate) clamp: Option<f32>,
     /// How particles thin out: fractional, paper, roulette [default: fractional]

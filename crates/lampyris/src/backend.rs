@@ -20,7 +20,7 @@ impl Default for Settings {
             passes: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
-            clamp: 2.0,
+            clamp: 1.5,
             replicates: 4,
             seed: 0,
             auxiliary: false,
