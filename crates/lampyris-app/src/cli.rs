@@ -152,6 +152,16 @@ pub(crate) struct EstimateArgs {
     pub(crate) sequence: Option<String>,
 }
 
+/// Batches where neither their number nor a time is given: each randomisation has several.
+const BATCHES: u32 = 8;
+
+impl EstimateArgs {
+    /// How many batches there will be; `None` where time alone decides.
+    pub(crate) fn planned_batches(&self) -> Option<u32> {
+        self.batches.or(if self.time.is_some() { None } else { Some(BATCHES) })
+    }
+}
+
 /// Which scene, and what its file may ask for.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {

@@ -14,9 +14,6 @@ use std::time::{Duration, Instant};
 /// of the time on eye rays: eight a pass halve the error at equal time (docs/performance.md).
 const PATHS_PER_EYE_PASS: u32 = 8;
 
-/// Batches where neither their number nor a time is given: each randomisation has several.
-pub(crate) const BATCHES: u32 = 8;
-
 /// Light paths times pixels in one batch, as far as the bounds on the paths allow: the batches of a large picture stay
 /// short, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's size alone: time
 /// never decides what a batch is.
@@ -91,7 +88,7 @@ pub(crate) fn run(
     start: Instant,
     progress: &Progress,
 ) -> Result<bool, Failure> {
-    let batches = args.batches.unwrap_or(if args.time.is_some() { u32::MAX } else { BATCHES });
+    let batches = args.planned_batches().unwrap_or(u32::MAX);
     let begun = Instant::now();
     interrupt::rendering();
     for index in 0..batches {

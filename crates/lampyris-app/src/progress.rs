@@ -1,7 +1,6 @@
 //! How far, how exact, how long still: one line on standard error, where that is a terminal.
 
 use crate::cli::EstimateArgs;
-use crate::estimate::BATCHES;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
@@ -11,10 +10,10 @@ pub(crate) struct Progress(ProgressBar);
 impl Progress {
     /// A line for the work that the arguments ask for; none if `quiet`.
     pub(crate) fn new(args: &EstimateArgs, quiet: bool) -> Progress {
-        let bar = match (quiet, args.batches, args.time) {
-            (true, ..) => ProgressBar::hidden(),
-            (_, None, Some(_)) => ProgressBar::new_spinner(),
-            (_, batches, _) => ProgressBar::new(batches.unwrap_or(BATCHES).into()),
+        let bar = match (quiet, args.planned_batches()) {
+            (true, _) => ProgressBar::hidden(),
+            (_, None) => ProgressBar::new_spinner(),
+            (_, Some(batches)) => ProgressBar::new(batches.into()),
         };
         let template =
             if bar.length().is_some() { "{bar:24} {pos}/{len} {msg}" } else { "{pos} batches {msg}" };

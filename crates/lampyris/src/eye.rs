@@ -169,14 +169,6 @@ impl Eye {
         }
     }
 
-    /// The camera ray of a pixel; `None` for meters.
-    pub fn ray(&self, x: u32, y: u32, offset: [f32; 2]) -> Option<Ray> {
-        match self {
-            Eye::Camera(view) => Some(view.ray(x as f32 + offset[0], y as f32 + offset[1])),
-            Eye::Meters(_) => None,
-        }
-    }
-
     /// The numbers of a pixel's sample.
     pub fn numbers(&self, x: u32, y: u32, sampling: &Sampling) -> Numbers {
         let pixel = y.wrapping_mul(self.size().0).wrapping_add(x);

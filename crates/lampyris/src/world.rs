@@ -27,6 +27,8 @@ pub struct World {
     tracer: Tracer,
     facets: Facets,
     finishes: Vec<Finish>,
+    /// Any of the finishes has sharp lobes.
+    sharp: bool,
     emitters: Vec<Emitter>,
     /// p_ℓ: the share of the light paths that starts at each emitter; sums to 1.
     shares: Vec<f32>,
@@ -55,8 +57,6 @@ pub struct Glow {
     pub distance: f32,
     /// Cosine at the emitter; 1 for the environment.
     pub cosine: f32,
-    /// Which emitter.
-    pub emitter: u32,
 }
 
 impl World {
@@ -79,10 +79,12 @@ impl World {
         let placements: Vec<Placement> =
             scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
         let tracer = Tracer::build(&meshes, &placements);
+        let finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
         let mut world = World {
             tracer,
             facets: Facets::new(&scene),
-            finishes: scene.materials.iter().map(Finish::from).collect(),
+            sharp: finishes.iter().any(|f| !f.sharp.is_black()),
+            finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
             cumulative: Vec::new(),
@@ -161,17 +163,12 @@ impl World {
 
     /// True if any surface has sharp lobes: without them there are no caustics.
     pub fn has_sharp_surfaces(&self) -> bool {
-        self.finishes.iter().any(|f| !f.sharp.is_black())
+        self.sharp
     }
 
     /// The first surface on a ray of unit direction.
     pub fn closest(&self, ray: &Ray) -> Option<Surface<'_>> {
         self.tracer.closest(ray).map(|hit| self.surface(ray.direction, &hit))
-    }
-
-    /// True where nothing blocks the open segment.
-    pub fn visible(&self, a: Vec3, b: Vec3) -> bool {
-        !self.tracer.blocked(a, b)
     }
 
     /// The surface at a hit, seen along the unit vector `direction`.
@@ -225,17 +222,17 @@ impl World {
             let e = &self.emitters[k as usize];
             if let Some((distance, radiance, cosine)) = e.met_by(origin, direction, t_max) {
                 let pdf = self.shares[k as usize] * e.pdf(origin, distance, cosine);
-                see(Glow { radiance, pdf, distance, cosine, emitter: k });
+                see(Glow { radiance, pdf, distance, cosine });
             }
         }
         if let (Some(k), true) = (self.environment, t_max == f32::INFINITY) {
             let pdf = self.shares[k as usize] * self.emitters[k as usize].pdf(origin, t_max, 1.0);
             let radiance = self.scene.environment;
-            see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0, emitter: k });
+            see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
         }
     }
 
-    /// Chooses an emitter by its share; `u` comes back uniform for further use.
+    /// The emitter that `u` in [0, 1) chooses by its share, and the share; `None` where nothing shines.
     pub fn choose_emitter(&self, u: f32) -> Option<(u32, f32)> {
         let k = self.cumulative.partition_point(|c| *c <= u);
         (k < self.emitters.len()).then(|| (k as u32, self.shares[k]))

@@ -6,8 +6,7 @@ use super::{Integrator, Pass, STRIDE, turn_of};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::settings::Rays;
-use crate::world::Surface;
-use crate::world::World;
+use crate::world::{Surface, World};
 
 /// Paths L (S|D)* S D S* E.
 pub(super) struct Caustic;

@@ -7,7 +7,6 @@ use super::{Integrator, Pass, STRIDE, gather, turn_of};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
-use crate::light::Emitter;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
@@ -77,9 +76,7 @@ fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Ray
     let mut sum = Rgb::BLACK;
     let t_max = met.as_ref().map_or(reach, |y| (y.position - ray.origin).length());
     world.glows(ray.origin, ray.direction, t_max, |glow| {
-        if !matches!(world.emitters()[glow.emitter as usize], Emitter::Environment { .. }) {
-            sum += glow.radiance * taken(glow.distance, glow.cosine);
-        }
+        sum += glow.radiance * taken(glow.distance, glow.cosine);
     });
     if let Some(y) = met.filter(|y| !y.emission().is_black()) {
         sum += y.emission() * taken((y.position - x.position).length(), y.normal.dot(y.wo).abs());
