@@ -23,7 +23,7 @@
 //! use lampyris::backend::{Backend, Batch, Settings};
 //! use lampyris::eye::{Eye, Meter};
 //! use lampyris::light::{Light, LightKind};
-//! use lampyris::material::{Bsdf, Diffuse, Material, Sides};
+//! use lampyris::material::{Bsdf, Diffuse, Material};
 //! use lampyris::scene::{Instance, Mesh, Scene};
 //! use lampyris::{Rgb, cpu::Cpu};
 //!
@@ -36,12 +36,7 @@
 //!         ..Mesh::default()
 //!     }],
 //!     instances: vec![Instance { name: "floor".into(), mesh: 0, transform: Affine3A::IDENTITY }],
-//!     materials: vec![Material {
-//!         name: "grey".into(),
-//!         bsdf: Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))),
-//!         emission: Rgb::BLACK,
-//!         sides: Sides::Both,
-//!     }],
+//!     materials: vec![Material::new("grey", Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))))],
 //!     lights: vec![Light {
 //!         name: "lamp".into(),
 //!         kind: LightKind::Point { position: Vec3::new(0.0, 0.0, 2.75), intensity: Rgb::grey(100.0) },
@@ -234,6 +229,7 @@ pub mod scene;
 pub mod sequence;
 mod settings;
 pub mod testing;
+pub mod texture;
 pub mod world;
 
 pub use color::Rgb;

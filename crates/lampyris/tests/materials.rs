@@ -25,7 +25,7 @@ fn ward(rho_d: f32, tau_d: f32, (rho_s, alpha): (f32, f32), (tau_s, tau_alpha): 
 /// Every kind of material, and of mixture.
 fn instances() -> Vec<(&'static str, Bsdf)> {
     let none = (0.0, 0.0);
-    let glass = |ior, t| Bsdf::Dielectric(Dielectric { ior, transmittance: t });
+    let glass = |ior, t| Bsdf::Dielectric(Dielectric::new(ior, t));
     vec![
         ("diffuse", Bsdf::Diffuse(Diffuse::opaque(Rgb::new(0.9, 0.5, 0.1)))),
         (
@@ -318,7 +318,7 @@ fn glass_obeys_fresnel_and_snell() {
     assert_eq!(fresnel(0.5, n).0, 1.0, "beyond the critical angle of 41°");
     let (none, straight) = fresnel(0.3, 1.0);
     assert!(none < 1e-12 && (straight - 0.3).abs() < 1e-6, "equal indices are no interface");
-    let glass = Dielectric { ior: n, transmittance: Rgb::new(0.9, 0.8, 0.7) };
+    let glass = Dielectric::new(n, Rgb::new(0.9, 0.8, 0.7));
     for degrees in (1..90).chain(92..180) {
         let wo = at(degrees as f32, 2.0);
         let (reflectance, cos_t) = fresnel(wo.z.abs(), if wo.z > 0.0 { 1.0 / n } else { n });
@@ -344,7 +344,7 @@ fn glass_obeys_fresnel_and_snell() {
 fn a_pane_of_two_interfaces_passes_the_whole_series() {
     // (1 − R)/(1 + R): all reflections between the faces. Light is unpolarised anew at each face, so off the normal
     // less passes than by the two polarisations apart, whose mean is given second: a limit of the model, measured here.
-    let glass = Dielectric { ior: 1.52, transmittance: Rgb::WHITE };
+    let glass = Dielectric::new(1.52, Rgb::WHITE);
     let mut trials = Vec::new();
     for (degrees, polarised, gap) in
         [(0.0, 0.9183, 0.0), (30.0, 0.9160, 0.0005), (60.0, 0.8435, 0.0128), (80.0, 0.4560, 0.0181)]

@@ -12,11 +12,20 @@ use serde::{Deserialize, Serialize};
 pub struct Dielectric {
     /// Index of refraction of the body, > 0.
     pub ior: f32,
-    /// Factor on light that passes the interface (a tint; Beer's law inside the body comes with volumes).
+    /// Factor on light that passes the interface.
     pub transmittance: Rgb,
+    /// GGX's α; 0 is smooth.
+    pub alpha: f32,
+    /// σ of Beer's law inside the body [m⁻¹].
+    pub attenuation: Rgb,
 }
 
 impl Dielectric {
+    /// Smooth and clear.
+    pub const fn new(ior: f32, transmittance: Rgb) -> Dielectric {
+        Dielectric { ior, transmittance, alpha: 0.0, attenuation: Rgb::BLACK }
+    }
+
     /// Reflects or refracts by Fresnel's share; `wo.z < 0` means that `wo` runs inside the body.
     ///
     /// The weight is 1 in reflection. In refraction it is the tint, for [`Transport::Radiance`] times (η_o/η_i)²:

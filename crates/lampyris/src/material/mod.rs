@@ -7,10 +7,14 @@
 
 mod dielectric;
 mod diffuse;
+mod maps;
+mod pbr;
 mod ward;
 
 pub use dielectric::{Dielectric, fresnel};
 pub use diffuse::Diffuse;
+pub use maps::{Coverage, Map, Maps};
+pub use pbr::Pbr;
 pub use ward::{DELTA_ALPHA, Ward};
 
 use crate::color::Rgb;
@@ -60,6 +64,24 @@ pub struct Material {
     pub emission: Rgb,
     /// From which sides the surface is there at all.
     pub sides: Sides,
+    /// How much of it is there.
+    pub coverage: Coverage,
+    /// Textures that multiply the factors of `bsdf`, `emission` and `coverage`.
+    pub maps: Maps,
+}
+
+impl Material {
+    /// A whole surface that does not glow, alike from both sides, without textures.
+    pub fn new(name: impl Into<String>, bsdf: Bsdf) -> Material {
+        Material {
+            name: name.into(),
+            bsdf,
+            emission: Rgb::BLACK,
+            sides: Sides::Both,
+            coverage: Coverage::Full,
+            maps: Maps::default(),
+        }
+    }
 }
 
 /// Which sides of a surface exist.
@@ -80,8 +102,10 @@ pub enum Bsdf {
     Diffuse(Diffuse),
     /// A diffuse base with a glossy or mirror lobe in reflection, and one in transmission.
     Ward(Ward),
-    /// Smooth interface of a solid transparent body.
+    /// Interface of a solid transparent body.
     Dielectric(Dielectric),
+    /// glTF's metal, plastic and thin glass.
+    Pbr(Pbr),
 }
 
 /// Whether the surface reflects between the two directions, rather than transmits; z = 0 counts as above.
@@ -95,6 +119,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.eval(class, wo, wi),
             Bsdf::Ward(m) => m.eval(class, wo, wi),
+            Bsdf::Pbr(m) => m.base().eval(class, wo, wi),
             Bsdf::Dielectric(_) => Rgb::BLACK,
         }
     }
@@ -114,6 +139,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.sample(class, wo, u, choice),
             Bsdf::Ward(m) => m.sample(class, wo, u, choice),
+            Bsdf::Pbr(m) => m.base().sample(class, wo, u, choice),
             Bsdf::Dielectric(m) => m.sample(class, wo, choice, transport),
         }
     }
@@ -123,6 +149,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.pdf(class, wo, wi),
             Bsdf::Ward(m) => m.pdf(class, wo, wi),
+            Bsdf::Pbr(m) => m.base().pdf(class, wo, wi),
             Bsdf::Dielectric(_) => 0.0,
         }
     }
@@ -134,6 +161,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.albedo(class),
             Bsdf::Ward(m) => m.albedo(class, wo),
+            Bsdf::Pbr(m) => m.base().albedo(class),
             Bsdf::Dielectric(m) => m.albedo(class, wo),
         }
     }
@@ -143,6 +171,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.lambertian(),
             Bsdf::Ward(m) => m.lambertian(),
+            Bsdf::Pbr(m) => m.base().lambertian(),
             Bsdf::Dielectric(_) => Some(Rgb::BLACK),
         }
     }
@@ -152,7 +181,7 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => !m.transmittance.is_black(),
             Bsdf::Ward(m) => !m.base.transmittance.is_black() || !m.transmission.is_black(),
-            Bsdf::Dielectric(_) => false,
+            Bsdf::Dielectric(_) | Bsdf::Pbr(_) => false,
         }
     }
 

@@ -15,7 +15,8 @@ pub use viewpoint::{Found, find_view};
 use crate::color::Rgb;
 use crate::light::Light;
 use crate::material::Material;
-use glam::{Affine3A, Vec3};
+use crate::texture::{Image, Texture};
+use glam::{Affine3A, Vec2, Vec3, Vec4};
 use serde::{Deserialize, Serialize};
 
 /// Everything that is to be lit.
@@ -31,6 +32,10 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Radiance of the constant environment [cd/m²]; black for none.
     pub environment: Rgb,
+    /// Pictures that textures and environment are made of.
+    pub images: Vec<Image>,
+    /// Textures that materials name by index.
+    pub textures: Vec<Texture>,
     /// Views stored in the file.
     pub cameras: Vec<Camera>,
     /// The upward direction where the format states one.
@@ -44,6 +49,13 @@ pub struct Mesh {
     pub positions: Vec<Vec3>,
     /// Unit shading normals, one a vertex, or none at all; a zero vector means "use the triangle's".
     pub normals: Vec<Vec3>,
+    /// Two sets of texture coordinates, one pair a vertex, each set whole or empty; (0, 0) is the upper left corner.
+    pub uvs: [Vec<Vec2>; 2],
+    /// Unit tangents in x, y, z and the sign of the bitangent in w, one a vertex, or none: they then follow from the
+    /// texture coordinates.
+    pub tangents: Vec<Vec4>,
+    /// Linear red, green, blue and alpha that multiply base colour and coverage, one a vertex, or none.
+    pub colors: Vec<Vec4>,
     /// Vertex indices, counter-clockwise seen from the front.
     pub triangles: Vec<[u32; 3]>,
     /// Material of each triangle.

@@ -71,10 +71,9 @@ mod tests {
     #[test]
     fn power_counts_sides_and_places() {
         let material = |sides| Material {
-            name: "lamp".into(),
-            bsdf: Bsdf::Diffuse(Diffuse::opaque(Rgb::BLACK)),
             emission: Rgb::grey(100.0),
             sides,
+            ..Material::new("lamp", Bsdf::Diffuse(Diffuse::opaque(Rgb::BLACK)))
         };
         let mesh = Mesh {
             positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],

@@ -351,10 +351,9 @@ mod tests {
         let mut scene = Scene::default();
         for emission in [0.0, 5000.0] {
             scene.materials.push(Material {
-                name: "any".into(),
-                bsdf: Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))),
                 emission: Rgb::grey(emission),
                 sides: Sides::EmitFront,
+                ..Material::new("any", Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))))
             });
         }
         cuboid(&mut scene, [0.0, 0.0, 0.0], [6.0, 4.0, 2.8], true, 0);

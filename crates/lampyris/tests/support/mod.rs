@@ -38,14 +38,14 @@ pub fn gloss(base: f32, specular: f32, alpha: f32) -> Bsdf {
 }
 
 pub fn glass() -> Bsdf {
-    Bsdf::Dielectric(Dielectric { ior: 1.5, transmittance: Rgb::WHITE })
+    Bsdf::Dielectric(Dielectric::new(1.5, Rgb::WHITE))
 }
 
 impl Build {
     /// A material; emission in cd/m².
     pub fn material(&mut self, bsdf: Bsdf, emission: f32, sides: Sides) -> u32 {
         let name = self.0.materials.len().to_string();
-        self.0.materials.push(Material { name, bsdf, emission: Rgb::grey(emission), sides });
+        self.0.materials.push(Material { emission: Rgb::grey(emission), sides, ..Material::new(name, bsdf) });
         self.0.materials.len() as u32 - 1
     }
 
@@ -64,7 +64,7 @@ impl Build {
         let mesh = self.0.meshes.len() as u32;
         let name = mesh.to_string();
         self.0.instances.push(Instance { name, mesh, transform: Affine3A::IDENTITY });
-        self.0.meshes.push(Mesh { positions, normals: Vec::new(), triangles, materials });
+        self.0.meshes.push(Mesh { positions, triangles, materials, ..Mesh::default() });
         self.0.meshes.last_mut().expect("just pushed")
     }
 

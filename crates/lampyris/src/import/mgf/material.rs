@@ -95,7 +95,7 @@ impl Surface {
         };
         // L = M/π of a Lambertian emitter.
         let emission = self.ed.rgb(FRAC_1_PI);
-        (Material { name: name.into(), bsdf, emission, sides }, mended)
+        (Material { emission, sides, ..Material::new(name, bsdf) }, mended)
     }
 
     /// `ts` is what a pane of 5 mm lets through at normal incidence, its first reflections excluded; light that
@@ -103,7 +103,7 @@ impl Surface {
     fn dielectric(&self) -> Bsdf {
         let inside = self.ts.rgb(1.0) + self.rs.rgb(1.0);
         let transmittance = inside.map(|v| v.clamp(0.0, 1.0).sqrt());
-        Bsdf::Dielectric(Dielectric { ior: self.ir[0] as f32, transmittance })
+        Bsdf::Dielectric(Dielectric::new(self.ir[0] as f32, transmittance))
     }
 
     fn opaque_or_thin(&self) -> (Bsdf, Option<&'static str>) {
@@ -153,6 +153,7 @@ mod tests {
             Bsdf::Diffuse(d) => d.reflectance + d.transmittance,
             Bsdf::Ward(w) => w.base.reflectance + w.base.transmittance + w.specular + w.transmission,
             Bsdf::Dielectric(d) => d.transmittance,
+            Bsdf::Pbr(_) => panic!("{m:?}"),
         }
     }
 
