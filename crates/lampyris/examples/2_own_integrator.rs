@@ -48,11 +48,11 @@ fn main() -> lampyris::Result<()> {
     let (width, height, passes) = (240, 160, 16);
     let (eye, settings) = (Eye::Camera(View::new(&camera, width, height)), Settings::default());
     let plan = Plan::new(&world, &settings);
-    let mut tile = eye.tile(Rect { x: 0, y: 0, width, height });
+    let mut tile = eye.tile(&world, Rect { x: 0, y: 0, width, height });
     let mut sum = vec![Rgb::BLACK; (width * height) as usize];
     for index in 0..passes {
         let sampling = Sampling { offset: [0.5; 2], index, seed: 0 };
-        eye.look(&world, &sampling, &mut tile);
+        eye.look(&sampling, &mut tile);
         let (world, settings, plan, eye) = (&world, &settings, &plan, &eye);
         let pass = Pass { world, settings, plan, eye, lights: &[], vpls: &[], sampling };
         Openness.add(&pass, &tile, &mut sum, &mut Rays::default());

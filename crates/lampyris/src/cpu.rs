@@ -166,10 +166,10 @@ impl Job {
         let mut auxiliary = self.settings.auxiliary.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
-        let mut tile = self.eye.tile(rect);
+        let mut tile = self.eye.tile(&self.world, rect);
         for number in numbers {
             let sampling = self.sampling(batch, number);
-            self.eye.look(&self.world, &sampling, &mut tile);
+            self.eye.look(&sampling, &mut tile);
             rays.eye += tile.rays;
             let pass = Pass {
                 world: &self.world,
@@ -192,7 +192,7 @@ impl Job {
                 }
             }
             if let Some(sums) = &mut auxiliary {
-                note_first(&self.world, &tile, sums);
+                note_first(&tile, sums);
             }
         }
         Summed { rect, parts, auxiliary, rays, non_finite }
@@ -216,10 +216,10 @@ impl Job {
 }
 
 /// Adds what the paths of a tile met first.
-fn note_first(world: &World, tile: &Tile<'_>, sums: &mut Auxiliary) {
+fn note_first(tile: &Tile<'_>, sums: &mut Auxiliary) {
     for packet in &tile.packets {
         for k in packet.lanes() {
-            let Some(first) = packet.first(world, k) else { continue };
+            let Some(first) = packet.first(k) else { continue };
             let at = packet.pixels[k] as usize;
             sums.albedo[at] += first.albedo;
             sums.normal[at] += Rgb::new(first.normal.x, first.normal.y, first.normal.z);

@@ -3,10 +3,12 @@
 
 mod facet;
 mod finish;
+mod points;
 mod surface;
 
 pub use facet::{Facet, Facets};
 pub use finish::Finish;
+pub use points::Points;
 pub use surface::Surface;
 
 use crate::color::Rgb;
@@ -150,6 +152,11 @@ impl World {
         !self.lamps.is_empty()
     }
 
+    /// True if rays that leave the scene find light.
+    pub fn has_environment(&self) -> bool {
+        self.environment.is_some()
+    }
+
     /// False only if no point of an emitter's area lies within `distance` of the box from `low` to `high`.
     pub fn may_glow_near(&self, [low, high]: [Vec3; 2], distance: f32) -> bool {
         // Of very many emitters one is likely to be near, and asking all of them costs more than a ray.
@@ -193,6 +200,13 @@ impl World {
             instance: hit.instance,
             material: facet.material,
         }
+    }
+
+    /// The facet at a hit, and what it is made of.
+    #[inline]
+    pub fn facet(&self, instance: u32, triangle: u32) -> (&Facet, &Finish) {
+        let facet = self.facets.get(instance, triangle);
+        (facet, &self.finishes[facet.material as usize])
     }
 
     /// True where nothing blocks the way from `from` to a light.

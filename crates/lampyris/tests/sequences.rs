@@ -1,7 +1,7 @@
 //! What the theory of low discrepancy promises, asserted of each sequence.
 
 use lampyris::sequence::radical_inverse::radical_inverse_f64;
-use lampyris::sequence::sobol::{self, sobol_owen, sobol_owen_pair};
+use lampyris::sequence::sobol::{self, sobol_owen, sobol_owen_four, sobol_owen_pair};
 use lampyris::sequence::{
     Sequence, halton, hammersley, jittered_halton, jittered_hammersley, next_radical_inverse,
     radical_inverse, scrambled_halton, uniform, unit_f32,
@@ -278,4 +278,9 @@ fn samples_are_pure_functions_and_pairs_are_two_samples() {
     }
     assert_eq!(Sequence::by_name("drand48"), None);
     assert_eq!(sobol_owen_pair(9, 3, 1), [sobol_owen(9, 3, 1), sobol_owen(9, 4, 1)]);
+    for (index, group, seed) in [(0, 0, 0), (1, 3, 7), (0xdead_beef, 5, 1), (u32::MAX, 2, u32::MAX)] {
+        let first = 4 * group;
+        let one_by_one = [0, 1, 2, 3].map(|d| sobol_owen(index, first + d, seed));
+        assert_eq!(sobol_owen_four(index, first, seed), one_by_one);
+    }
 }

@@ -11,6 +11,7 @@ mod tracer;
 pub use bvh::Kernel;
 pub use frame::Frame;
 pub use offset::SurfacePoint;
+pub(crate) use offset::{ERROR, away};
 pub use packet::{Hits16, LANES};
 pub use ray::{Hit, Ray};
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};

@@ -27,7 +27,9 @@ impl Integrator for Caustic {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 16)) {
+                if turn_of(pass, numbers.seed >> 16)
+                    && let Some(x) = packet.visible(k)
+                {
                     let found = at(pass.world, &x.surface, numbers.branch(b's'.into()), &mut rays.path);
                     out[packet.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
                 }

@@ -38,7 +38,9 @@ impl Integrator for Compensation {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed >> 8)) {
+                if turn_of(pass, numbers.seed >> 8)
+                    && let Some(x) = packet.visible(k)
+                {
                     let paid = beyond_clamp(pass, x.surface, numbers.branch(b'c'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
                 }

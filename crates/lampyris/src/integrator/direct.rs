@@ -36,7 +36,9 @@ impl Integrator for Direct {
         for packet in tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach)) {
             for k in packet.lanes() {
                 let numbers = packet.numbers[k];
-                if let Some(x) = packet.visible(k).filter(|_| turn_of(pass, numbers.seed)) {
+                if turn_of(pass, numbers.seed)
+                    && let Some(x) = packet.visible(k)
+                {
                     let near = near_light(pass, &x.surface, numbers.branch(b'd'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * near * STRIDE as f32;
                 }

@@ -104,10 +104,8 @@ pub fn from_some_lights(
 pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let radiance = packet(pass.world, p, lights, rays);
-        for k in p.lanes() {
-            if let Some(x) = p.visible(k) {
-                out[p.pixels[k] as usize] += x.throughput * radiance[k];
-            }
+        for k in lanes(p.live) {
+            out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
         }
     }
 }
@@ -139,9 +137,7 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
         }
     }
     for k in lanes(p.lambertian) {
-        if let Some(rho) = p.visible(k).and_then(|x| x.surface.finish.lambertian) {
-            radiance[k] += rho * irradiance[k] * FRAC_1_PI;
-        }
+        radiance[k] += p.reflectance[k] * irradiance[k] * FRAC_1_PI;
     }
     radiance
 }

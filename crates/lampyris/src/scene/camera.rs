@@ -55,4 +55,16 @@ impl View {
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         Ray::new(self.eye, (self.corner + self.right * x + self.down * y).normalize())
     }
+
+    /// Directions of [`View::ray`] through many picture points, x y z of each; equal to it to the bit.
+    pub fn directions<const N: usize>(&self, x: &[f32; N], y: &[f32; N]) -> [[f32; N]; 3] {
+        let mut d: [[f32; N]; 3] = std::array::from_fn(|axis| {
+            std::array::from_fn(|k| self.corner[axis] + self.right[axis] * x[k] + self.down[axis] * y[k])
+        });
+        for k in 0..N {
+            let reciprocal = 1.0 / (d[0][k] * d[0][k] + d[1][k] * d[1][k] + d[2][k] * d[2][k]).sqrt();
+            d.iter_mut().for_each(|axis| axis[k] *= reciprocal);
+        }
+        d
+    }
 }

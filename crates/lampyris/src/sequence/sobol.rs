@@ -63,11 +63,36 @@ static DIRECTIONS: [[u32; 32]; DIMENSIONS as usize] = {
     v
 };
 
+/// XOR of the direction numbers that each nibble of an index selects, for four dimensions side by side:
+/// `[group][nibble's place][nibble][dimension in the group]`.
+static NIBBLES: [[[[u32; 4]; 16]; 8]; DIMENSIONS as usize / 4] = {
+    let mut table = [[[[0; 4]; 16]; 8]; DIMENSIONS as usize / 4];
+    // A constant's loops must be written out.
+    let mut at = 0;
+    while at < DIMENSIONS as usize * 8 * 16 * 4 {
+        let (dimension, place, nibble, bit) = (at / 512, at / 64 % 8, at / 4 % 16, at % 4);
+        if nibble >> bit & 1 == 1 {
+            table[dimension / 4][place][nibble][dimension % 4] ^= DIRECTIONS[dimension][4 * place + bit];
+        }
+        at += 1;
+    }
+    table
+};
+
 /// Point `index` of the Sobol' sequence [2⁻³²], natural order (no Gray code); `dimension` < [`DIMENSIONS`].
 pub fn sobol(index: u32, dimension: u32) -> u32 {
-    let v = &DIRECTIONS[dimension as usize];
-    // No branch on bits that are as good as random, so that the compiler makes vectors of it.
-    (0..32).fold(0, |x, k| x ^ (v[k] & 0u32.wrapping_sub(index >> k & 1)))
+    let (group, d) = ((dimension / 4) as usize, (dimension % 4) as usize);
+    (0..8).fold(0, |x, place| x ^ NIBBLES[group][place][(index >> (4 * place) & 15) as usize][d])
+}
+
+/// The first four dimensions of [`sobol`].
+fn sobol_four(index: u32) -> [u32; 4] {
+    let mut x = [0; 4];
+    for (place, table) in NIBBLES[0].iter().enumerate() {
+        let row = &table[(index >> (4 * place) & 15) as usize];
+        (0..4).for_each(|d| x[d] ^= row[d]);
+    }
+    x
 }
 
 /// Owen's scramble of the binary fraction x: each bit is flipped at random depending on the bits above it.
@@ -99,6 +124,15 @@ pub fn sobol_owen_pair(index: u32, dimension: u32, seed: u32) -> [f32; 2] {
     }
     let shuffled = group_index(index, dimension, seed);
     [dimension, dimension + 1].map(|d| unit_f32(owen_in_group(shuffled, d, seed)))
+}
+
+/// The four dimensions of [`sobol_owen`] from `dimension` on, a multiple of [`GROUP`]; equal to it to the bit.
+pub fn sobol_owen_four(index: u32, dimension: u32, seed: u32) -> [f32; 4] {
+    let mut x = sobol_four(group_index(index, dimension, seed));
+    for (x, d) in x.iter_mut().zip(dimension..) {
+        *x = owen(*x, hash(seed, d));
+    }
+    x.map(unit_f32)
 }
 
 fn group_index(index: u32, dimension: u32, seed: u32) -> u32 {

@@ -25,6 +25,13 @@ pub struct Facets {
     normals: Vec<[Vec3; 3]>,
 }
 
+impl Facet {
+    /// True if its shading normal is the geometric one everywhere.
+    pub fn is_flat(&self) -> bool {
+        self.smooth == u32::MAX
+    }
+}
+
 impl Facets {
     /// From every triangle of every instance.
     pub fn new(scene: &Scene) -> Facets {

@@ -49,11 +49,6 @@ impl From<&Material> for Finish {
 }
 
 impl Finish {
-    /// True where an eye path may go on, or finds light, at the surface itself.
-    pub fn is_sharp_or_glows(&self) -> bool {
-        !self.sharp.is_black() || !self.emission.is_black()
-    }
-
     /// How likely a path should scatter by each class: (sharp, dull), the brightest channel of either, not negative.
     pub fn weights(&self) -> (f32, f32) {
         (self.sharp.max_channel().max(0.0), self.dull.max_channel().max(0.0))

@@ -1,0 +1,165 @@
+//! From the eye to the first dull surface: the visible points of a tile, sixteen to a packet.
+//!
+//! An eye path goes on through sharp lobes (mirrors, glass, polish) by chance; what glows along it, seen directly or
+//! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
+
+mod follow;
+mod packet;
+
+pub use crate::geometry::LANES;
+pub(crate) use follow::balance;
+pub use packet::{First, Packet, Visible};
+
+use crate::scene::View;
+use crate::sequence::{self, sobol};
+use crate::settings::Rays;
+use crate::world::World;
+use glam::Vec3;
+
+/// What looks at the scene.
+#[derive(Clone, Debug)]
+pub enum Eye {
+    /// A camera with a picture size.
+    Camera(View),
+    /// Illuminance meters: a picture of one row, each value E/π of one meter.
+    Meters(Vec<Meter>),
+}
+
+/// A point and the direction it faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meter {
+    /// Where [m].
+    pub position: Vec3,
+    /// Unit normal of the side that measures.
+    pub normal: Vec3,
+}
+
+impl Meter {
+    /// False where a number is missing, or so far out that the fourth power of the distance leaves `f32`: such a meter
+    /// reads 0.
+    fn is_somewhere(&self) -> bool {
+        self.position.abs().max_element() < 1e9 && self.normal.is_finite()
+    }
+}
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rect {
+    /// Left edge.
+    pub x: u32,
+    /// Upper edge.
+    pub y: u32,
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+}
+
+/// The random numbers of one eye path: a pure function of pixel, sample and dimension.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers {
+    /// Which sample of the pixel.
+    pub index: u32,
+    /// The pixel's seed.
+    pub seed: u32,
+}
+
+impl Numbers {
+    /// One number in [0, 1).
+    pub fn one(self, dimension: u32) -> f32 {
+        sobol::sobol_owen(self.index, dimension, self.seed)
+    }
+
+    /// Two numbers of neighbouring dimensions.
+    pub fn pair(self, dimension: u32) -> [f32; 2] {
+        sobol::sobol_owen_pair(self.index, dimension, self.seed)
+    }
+
+    /// The four numbers of the group of dimensions that `dimension` begins.
+    pub fn four(self, dimension: u32) -> [f32; 4] {
+        sobol::sobol_owen_four(self.index, dimension, self.seed)
+    }
+
+    /// An independent set for another purpose at the same pixel and sample.
+    pub fn branch(self, purpose: u32) -> Numbers {
+        Numbers { seed: sequence::hash(self.seed, purpose), ..self }
+    }
+}
+
+/// The visible points of one eye pass in a rectangle of the picture.
+#[derive(Clone)]
+pub struct Tile<'w> {
+    /// Where.
+    pub rect: Rect,
+    /// The points.
+    pub packets: Vec<Packet<'w>>,
+    /// Rays it took.
+    pub rays: u64,
+}
+
+/// Which sample of every pixel an eye pass takes.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampling {
+    /// Place within the pixel, the same for all pixels [Keller97, §4.1].
+    pub offset: [f32; 2],
+    /// Number of the sample within its randomisation.
+    pub index: u32,
+    /// Seed of the randomisation.
+    pub seed: u32,
+}
+
+impl Eye {
+    /// Width and height of its picture.
+    pub fn size(&self) -> (u32, u32) {
+        match self {
+            Eye::Camera(view) => (view.width, view.height),
+            Eye::Meters(meters) => (meters.len() as u32, 1),
+        }
+    }
+
+    /// The numbers of a pixel's sample.
+    pub fn numbers(&self, x: u32, y: u32, sampling: &Sampling) -> Numbers {
+        let pixel = y.wrapping_mul(self.size().0).wrapping_add(x);
+        Numbers { index: sampling.index, seed: sequence::hash(sampling.seed, pixel) }
+    }
+
+    /// The packets of a rectangle of pixels, as yet without visible points.
+    pub fn tile<'w>(&self, world: &'w World, rect: Rect) -> Tile<'w> {
+        // Meters lie in one row: there a packet is a run of sixteen.
+        let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES, 1) };
+        let mut packets = Vec::new();
+        for by in (0..rect.height).step_by(bh) {
+            for bx in (0..rect.width).step_by(bw) {
+                let mut pixels = [u32::MAX; LANES];
+                for (lane, pixel) in pixels.iter_mut().enumerate() {
+                    let (x, y) = (bx + (lane % bw) as u32, by + (lane / bw) as u32);
+                    if x < rect.width && y < rect.height {
+                        *pixel = y * rect.width + x;
+                    }
+                }
+                packets.push(Packet::new(world, rect, pixels));
+            }
+        }
+        Tile { rect, packets, rays: 0 }
+    }
+
+    /// Sends the eye paths of one pass through a tile.
+    pub fn look(&self, sampling: &Sampling, tile: &mut Tile<'_>) {
+        let mut rays = Rays::default();
+        for packet in &mut tile.packets {
+            packet.start(self, sampling);
+            match self {
+                Eye::Camera(view) => packet.look_through(view, sampling.offset, &mut rays),
+                Eye::Meters(meters) => packet.lay_out(meters),
+            }
+        }
+        tile.rays = rays.eye;
+    }
+}
+
+impl Rect {
+    /// Picture coordinates of a pixel of the rectangle, counted row by row.
+    pub fn pixel(&self, k: u32) -> (u32, u32) {
+        (self.x + k % self.width, self.y + k / self.width)
+    }
+}

@@ -1,0 +1,98 @@
+//! Sixteen plain surface points at once: what `World::surface` and `Surface::spawn` find one by one, to the bit, laid
+//! out for the gather. Flat facets alone; a bent normal is a matter of one lane.
+
+use super::World;
+use crate::geometry::{ERROR, Hits16, LANES, away};
+
+/// One value of each lane for each axis.
+type Vectors = [[f32; LANES]; 3];
+
+/// Points of flat facets seen along rays.
+pub struct Points {
+    /// Where rays leave on the side from which the point is seen [m].
+    pub position: Vectors,
+    /// Unit geometric normals on that side.
+    pub normal: Vectors,
+}
+
+impl World {
+    /// The points that sixteen rays meet, as if all facets were flat; lanes outside `of` hold nothing of use.
+    pub fn points16(&self, directions: &Vectors, hits: &Hits16, of: u16) -> Points {
+        let (mut corners, mut normal) = ([[[0.0_f32; LANES]; 3]; 3], [[0.0_f32; LANES]; 3]);
+        for k in (0..LANES).filter(|k| of >> k & 1 == 1) {
+            let facet = self.facets.get(hits.instance[k], hits.triangle[k]);
+            for axis in 0..3 {
+                for (corner, all) in facet.corners.iter().zip(&mut corners) {
+                    all[axis][k] = corner[axis];
+                }
+                normal[axis][k] = facet.normal[axis];
+            }
+        }
+        let [dx, dy, dz] = directions;
+        let side: [f32; LANES] = std::array::from_fn(|k| {
+            let toward = -dx[k] * normal[0][k] + -dy[k] * normal[1][k] + -dz[k] * normal[2][k];
+            if toward >= 0.0 { 1.0 } else { -1.0 }
+        });
+        let (mut position, mut error) = ([[0.0_f32; LANES]; 3], [[0.0_f32; LANES]; 3]);
+        for axis in 0..3 {
+            for k in 0..LANES {
+                let (u, v) = (hits.u[k], hits.v[k]);
+                let a = corners[0][axis][k] * (1.0 - u - v);
+                let (b, c) = (corners[1][axis][k] * u, corners[2][axis][k] * v);
+                position[axis][k] = a + b + c;
+                error[axis][k] = (a.abs() + b.abs() + c.abs()) * ERROR;
+                normal[axis][k] *= side[k];
+            }
+        }
+        let reach: [f32; LANES] = std::array::from_fn(|k| {
+            error[0][k] * normal[0][k].abs()
+                + error[1][k] * normal[1][k].abs()
+                + error[2][k] * normal[2][k].abs()
+        });
+        for axis in 0..3 {
+            for k in 0..LANES {
+                position[axis][k] = away(position[axis][k], normal[axis][k] * reach[k]);
+            }
+        }
+        Points { position, normal }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::geometry::LANES;
+    use crate::import::{self, Options};
+    use crate::scene::{Camera, View};
+    use crate::world::World;
+    use glam::Vec3;
+    use std::path::Path;
+
+    #[test]
+    fn sixteen_points_are_single_points() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.mgf");
+        let world = World::new(import::load(Path::new(file), &Options::default()).unwrap().scene);
+        let bounds = world.bounds();
+        let mut compared = 0;
+        for k in 0..16 {
+            let target = bounds.center + Vec3::new(k as f32 - 8.0, (k * 5 % 16) as f32 - 8.0, (k % 3) as f32);
+            let camera = Camera { name: String::new(), eye: bounds.center, target, up: Vec3::Y, fov_y: 70.0 };
+            let view = View::new(&camera, 16, 16);
+            for row in 0..16 {
+                let (x, y) = (std::array::from_fn(|i| i as f32 + 0.3), [row as f32 + 0.6; LANES]);
+                let directions = view.directions(&x, &y);
+                let hits = world.tracer().closest16(view.eye(), &directions, u16::MAX);
+                let points = world.points16(&directions, &hits, hits.hit);
+                for i in 0..LANES {
+                    let Some(hit) = hits.get(i) else { continue };
+                    let ray = view.ray(x[i], y[i]);
+                    assert_eq!(ray.direction, Vec3::from(directions.map(|axis| axis[i])));
+                    let s = world.surface(ray.direction, &hit);
+                    assert_eq!(s.spawn(s.wo), Vec3::from(points.position.map(|axis| axis[i])));
+                    assert_eq!(s.normal, Vec3::from(points.normal.map(|axis| axis[i])));
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 2000, "{compared}");
+    }
+}
