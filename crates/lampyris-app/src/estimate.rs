@@ -11,19 +11,26 @@ use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
 
 /// Light paths that share an eye pass unless `--spp` says otherwise. One pass a path, as in the 1997 report, spends most
-/// of the time on eye rays: eight a pass halve the error at equal time (docs/performance.md).
-const PATHS_PER_EYE_PASS: u32 = 8;
+/// of the time on eye rays: sixteen a pass halve the error at equal time (docs/performance.md).
+const PATHS_PER_EYE_PASS: u32 = 16;
 
 /// Light paths times pixels in one batch, as far as the bounds on the paths allow: the batches of a large picture stay
 /// short, so that neither Ctrl-C nor the end of `--time` is long in coming. A function of the picture's size alone: time
 /// never decides what a batch is.
 const WORK: u64 = 10_000_000;
 const PICTURE_PATHS: (u64, u64) = (16, 64);
+
+/// Light paths times pixels that a batch may have for each second that `--time` grants: a picture in a hurry begins with
+/// a small one.
+const WORK_A_SECOND: f64 = 5e7;
 const METER_PATHS: (u64, u64) = (64, 1024);
 
 /// The settings that the arguments ask for, for a picture of that size.
 pub(crate) fn for_picture(args: &EstimateArgs, (width, height): (u32, u32)) -> Result<Settings, Failure> {
-    settings(args, paths(u64::from(width) * u64::from(height), PICTURE_PATHS))
+    let pixels = u64::from(width) * u64::from(height);
+    let in_time = args.time.map_or(u64::MAX, |t| (t.as_secs_f64() * WORK_A_SECOND) as u64 / pixels.max(1));
+    let (least, most) = PICTURE_PATHS;
+    settings(args, paths(pixels, (least, most.min(in_time).max(least))))
 }
 
 /// The settings that the arguments ask for, for so many meters.

@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use exr::image::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer as Part, Layers};
 use exr::meta::attribute::{Chromaticities, IntegerBounds, Text};
 use exr::meta::header::{ImageAttributes, LayerAttributes};
-use exr::prelude::{Compression, Vec2, WritableImage};
+use exr::prelude::{Compression, LineOrder, Vec2, WritableImage};
 use std::io::Cursor;
 
 /// The bytes of the file.
@@ -28,7 +28,7 @@ pub(super) fn encode(picture: &Picture, _: &Display) -> Result<Vec<u8>, String> 
     let image =
         Image { attributes, layer_data: std::iter::once(first).chain(further).collect::<Layers<_>>() };
     let mut bytes = Cursor::new(Vec::new());
-    image.write().non_parallel().to_buffered(&mut bytes).map_err(|e| e.to_string())?;
+    image.write().to_buffered(&mut bytes).map_err(|e| e.to_string())?;
     Ok(bytes.into_inner())
 }
 
@@ -53,7 +53,11 @@ fn part(
         software_name: Some(text(concat!("lampyris ", env!("CARGO_PKG_VERSION")))),
         ..LayerAttributes::named(text(name))
     };
-    let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::FAST_LOSSLESS };
+    let encoding = Encoding {
+        compression: Compression::ZIP16,
+        line_order: LineOrder::Increasing,
+        ..Encoding::FAST_LOSSLESS
+    };
     Part::new(size, attributes, encoding, AnyChannels::sort(channels.into_iter().collect()))
 }
 

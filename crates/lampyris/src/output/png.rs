@@ -3,6 +3,7 @@
 use super::despeckle::despeckle;
 use super::{Display, Picture, ToneCurve, srgb};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent};
+use rayon::prelude::*;
 
 /// The bytes of the file.
 pub(super) fn encode(picture: &Picture, display: &Display) -> Result<Vec<u8>, String> {
@@ -12,7 +13,8 @@ pub(super) fn encode(picture: &Picture, display: &Display) -> Result<Vec<u8>, St
         true => despeckle(picture.width, picture.height, &picture.radiance),
         false => picture.radiance.clone(),
     };
-    let pixels: Vec<u8> = shown.iter().flat_map(|&c| curve.apply(c * factor).to_array().map(srgb)).collect();
+    let shown = shown.par_iter().map(|&c| curve.apply(c * factor).to_array().map(srgb));
+    let pixels = shown.collect::<Vec<[u8; 3]>>().into_flattened();
     write(picture, &pixels, curve, display.despeckle).map_err(|e| e.to_string())
 }
 
@@ -21,7 +23,7 @@ fn write(picture: &Picture, pixels: &[u8], curve: ToneCurve, calm: bool) -> Resu
     let mut encoder = Encoder::new(&mut bytes, picture.width, picture.height);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Balanced);
+    encoder.set_compression(Compression::Fast);
     encoder.set_source_srgb(SrgbRenderingIntent::RelativeColorimetric);
     let tone = ("tone".to_string(), curve.name().to_string());
     let calm = ("despeckled".to_string(), calm.to_string());
