@@ -294,7 +294,7 @@ impl<'w> Packet<'w> {
             let first = hits.get(k).map(|hit| world.surface(ray.direction, &hit));
             match first {
                 Some(surface) if !surface.finish.is_sharp_or_glows() && !world.has_lamps() => {
-                    self.set(k, surface, Rgb::WHITE);
+                    self.set(k, surface, surface.clear_from(view.eye(), None));
                 }
                 _ => {
                     if let Some(x) = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays) {
@@ -338,12 +338,15 @@ fn follow<'w>(
     // Density with which the current ray was chosen; infinite if no light could have been sampled instead.
     let mut pdf = f32::INFINITY;
     let mut met = first;
+    let mut last: Option<Surface<'w>> = None;
     for vertex in 0..MAX_VERTICES {
         let t_max = met.as_ref().map_or(f32::INFINITY, |s| (s.position - ray.origin).length());
         world.glows(ray.origin, ray.direction, t_max, |glow| {
-            *emission += throughput * glow.radiance * balance(pdf, glow.pdf);
+            let clear = last.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
+            *emission += throughput * clear * glow.radiance * balance(pdf, glow.pdf);
         });
         let surface = met?;
+        throughput *= surface.clear_from(ray.origin, last.as_ref());
         if !surface.emission().is_black() {
             let weight =
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
@@ -372,6 +375,7 @@ fn follow<'w>(
         }
         ray = Ray::new(surface.spawn(scatter.wi), scatter.wi);
         rays.eye += 1;
+        last = Some(surface);
         met = world.closest(&ray);
     }
     None
@@ -396,7 +400,8 @@ fn highlight(world: &World, surface: &Surface<'_>, numbers: Numbers, vertex: u32
         return Rgb::BLACK;
     }
     let weight = balance(share * arrival.pdf, surface.pdf(Class::Sharp, arrival.wi));
-    value * arrival.weight * (weight / share)
+    let clear = surface.clear_to(arrival.wi, arrival.distance(surface.position), None);
+    value * clear * arrival.weight * (weight / share)
 }
 
 /// The balance heuristic [Veach 1997, eq. 9.12]; a technique of infinite density (a delta) takes all.
