@@ -162,7 +162,7 @@ fn a_ray_through_a_slab_loses_what_beer_says() {
         let body = b.material(Bsdf::Dielectric(body), 0.0, Sides::Both);
         b.block(Vec3::new(-50.0, -50.0, -0.4), Vec3::new(50.0, 50.0, 0.0), body);
         let toward = Vec3::new(libm::sinf(tilt), 0.0, -libm::cosf(tilt));
-        let eye = view(Vec3::Z, Vec3::Z + toward, 1e-3, 1, 1);
+        let eye = view(Vec3::Z, Vec3::Z + toward, 1e-4, 1, 1);
         let seen = render(&b.0, eye, &settings(parts, 1, 1, 0), 1)[0];
         let d = 0.4 / libm::cosf(tilt);
         for k in 0..3 {

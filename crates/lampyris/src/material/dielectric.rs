@@ -81,13 +81,13 @@ impl Dielectric {
                 Transport::Radiance => eta * eta,
                 Transport::Flux => 1.0,
             };
-            (facet * (eta * cos_o - cos_t) - up * eta, self.transmittance * scale)
+            ((facet * (eta * cos_o - cos_t) - up * eta).normalize(), self.transmittance * scale)
         };
         // A facet may send light to the wrong side.
         if weight.is_black() || (choice < reflectance) != (wi.z > 0.0) {
             return None;
         }
-        let wi = above(wi.normalize(), wo);
+        let wi = above(wi, wo);
         if ggx.is_delta() {
             return Some(Scatter { wi, weight, pdf: f32::INFINITY });
         }
@@ -153,8 +153,10 @@ fn bend(wo: Vec3, wi: Vec3, eta: f32) -> Option<(Vec3, f32, f32)> {
     if cos_o <= 0.0 || cos_i >= 0.0 {
         return None;
     }
-    let (reflectance, _) = fresnel(cos_o, eta);
-    Some((facet, 1.0 - reflectance, -cos_i / h.length_squared()))
+    // 1 − F from both cosines, which are known: alike from both sides, and exact where almost all is reflected.
+    let across = |sum: f32| -2.0 * eta * cos_o * cos_i / (sum * sum);
+    let passed = across(eta * cos_o - cos_i) + across(cos_o - eta * cos_i);
+    Some((facet, passed, -cos_i / h.length_squared()))
 }
 
 /// Fresnel's reflectance for unpolarised light that meets a smooth interface at `cos_i` ≥ 0, and the cosine of the
