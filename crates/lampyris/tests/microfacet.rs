@@ -1,4 +1,4 @@
-//! What the materials of facets owe to physics: glTF's metal, plastic and pane, rough glass, and Beer's law in its body.
+//! What the materials of facets owe to physics: glTF's metal, plastic and pane, rough glass, Beer's law in its body.
 
 mod support;
 

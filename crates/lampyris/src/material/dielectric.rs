@@ -31,8 +31,8 @@ impl Dielectric {
         Dielectric { ior, transmittance, alpha: 0.0, attenuation: Rgb::BLACK }
     }
 
-    /// f_r [sr⁻¹] for light that arrives from `wi` and leaves toward `wo`, as [`Transport::Radiance`] has it: the other way
-    /// round it differs by the squares of the indices. A smooth interface evaluates to black.
+    /// f_r [sr⁻¹] for light that arrives from `wi` and leaves toward `wo`: the other way round it differs by the squares
+    /// of the indices. A smooth interface evaluates to black.
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
         let ggx = self.ggx();
         if class != ggx.class() || ggx.is_delta() {

@@ -1,10 +1,10 @@
 //! glTF's metallic-roughness surface [Khronos 2021, appendix B]: a metal, a plastic and a thin pane in one, mixed by
 //! factors; GGX facets over a diffuse base, and the same lobe mirrored through the pane, which refracts nothing.
 //!
-//! Metal and plastic have Schlick's Fresnel term, the pane has Fresnel's own with all reflections between its faces. The base gets
-//! what the facets of the plastic leave, (1 − E(cos θ_o)) (1 − E(cos θ_i)) / (1 − Ē) with their directional albedo E and
-//! its mean [Kelemen and Szirmay-Kalos 2001]: reciprocal, and a white plastic loses nothing. `energy` mends metal and
-//! pane. Everything is symmetric in `wo` and `wi`.
+//! Metal and plastic have Schlick's Fresnel term, the pane has Fresnel's own with all reflections between its faces.
+//! The base gets what the facets of the plastic leave, (1 − E(cos θ_o)) (1 − E(cos θ_i)) / (1 − Ē) with their albedo E
+//! and its mean [Kelemen and Szirmay-Kalos 2001]: reciprocal, and a white plastic loses nothing. `energy` mends metal
+//! and pane. Everything is symmetric in `wo` and `wi`.
 
 use super::dielectric::fresnel_polarised;
 use super::energy::Energy;
@@ -83,9 +83,11 @@ impl Pbr {
         let pick = choice * total;
         let above = up(wo);
         let ggx = self.ggx();
-        let reflected = pick < mirror || pick >= mirror + pass || pass == 0.0;
+        // Sums rounded in another order may leave a rest where the class has no such lobe.
+        let painted = base > 0.0 && pick >= mirror + pass;
+        let reflected = painted || (mirror > 0.0 && (pick < mirror || pass <= 0.0));
         let side = if reflected == (wo.z >= 0.0) { 1.0 } else { -1.0 };
-        let wi = if pick >= mirror + pass && base > 0.0 {
+        let wi = if painted {
             cosine_hemisphere(u)
         } else if ggx.is_delta() {
             let (value, p) = if reflected {
