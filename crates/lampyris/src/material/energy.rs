@@ -62,6 +62,7 @@ fn place(coordinate: f32) -> (usize, f32) {
     (k, x - k as f32)
 }
 
+#[allow(clippy::approx_constant, reason = "a table meets π/4 by chance")]
 const DAMPING: Table = [
     [
         1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000, 1.0000,
