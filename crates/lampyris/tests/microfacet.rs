@@ -4,11 +4,12 @@ mod support;
 
 use glam::Vec3;
 use lampyris::Rgb;
+use lampyris::light::LightKind;
 use lampyris::material::{Bsdf, Class, Dielectric, Diffuse, Pbr, Sides, Transport, fresnel};
 use lampyris::sequence::sobol::sobol_owen_pair;
 use lampyris::sequence::uniform;
 use lampyris::testing::Moments;
-use support::{Build, FAST, ORACLE, close_mean, render, say, settings, view};
+use support::{Build, FAST, ORACLE, close_mean, lux, meter, render, say, settings, view};
 
 const CLASSES: [Class; 2] = [Class::Sharp, Class::Dull];
 
@@ -192,4 +193,25 @@ fn an_absorbing_slab_of_glass_shows_the_series() {
             picture.iter().map(|p| f64::from(p.g)).collect::<Moments>().mean()
         });
     }
+}
+
+/// Parallel light through an absorbing slab onto a square floor, whose virtual lights a meter above it sees: particles
+/// lose by the same law. With ρ E exp(−σ d)/π from a square of half side 2 at height 1, form factor by its four corners.
+#[test]
+fn particles_through_a_slab_lose_what_beer_says() {
+    let (sigma, thickness, rho) = (1.5f32, 0.6f32, 0.8f32);
+    let mut b = Build::default();
+    let floor = b.grey(rho);
+    let body = Dielectric { attenuation: Rgb::grey(sigma), ..Dielectric::new(1.0, Rgb::WHITE) };
+    let body = b.material(Bsdf::Dielectric(body), 0.0, Sides::Both);
+    b.quad(Vec3::new(-2.0, 0.0, -2.0), Vec3::Z * 4.0, Vec3::X * 4.0, floor);
+    b.block(Vec3::new(-2.1, 1.5, -2.1), Vec3::new(2.1, 1.5 + thickness, 2.1), body);
+    b.light(LightKind::Directional { direction: Vec3::NEG_Y, illuminance: Rgb::WHITE });
+    let side = 2.0 / 5f64.sqrt();
+    let seen = 4.0 * side * libm::atan(side) / std::f64::consts::PI;
+    let expected = f64::from(rho) * libm::exp(f64::from(-sigma * thickness)) * seen;
+    close_mean("particles through a slab", 8, expected, 5e-3, |seed| {
+        let s = settings(&["vpl", "compensation"], 1 << 11, 64, seed);
+        lux(&b.0, &[meter(Vec3::Y, Vec3::NEG_Y)], &s, 4)[0]
+    });
 }
