@@ -23,7 +23,7 @@ use crate::color::Rgb;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// Roughness below which a glossy lobe counts as [`Class::Sharp`] [Ward's RMS facet slope; GGX's α].
+/// Roughness below which a glossy lobe counts as [`Class::Sharp`]: Ward's RMS facet slope, GGX's α.
 pub const SHARP_ALPHA: f32 = 0.15;
 
 /// The two classes of lobes that partition path space (docs/light-transport.md): S and D of Heckbert's notation.
@@ -159,7 +159,7 @@ impl Bsdf {
 
     /// Share of the light arriving from `wo` that the lobes of `class` send on (directional albedo), to a few per
     /// cent: it steers choices and fills the albedo channels, no estimate depends on its exactness. It is exactly
-    /// black only if the class is empty.
+    /// black only if the class is empty. What rough glass loses between its facets it does not tell.
     pub fn albedo(&self, class: Class, wo: Vec3) -> Rgb {
         match self {
             Bsdf::Diffuse(m) => m.albedo(class),
