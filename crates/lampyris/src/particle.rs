@@ -233,6 +233,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let start = emitter.emit([place[0], place[1], turn[0], turn[1]], world.bounds());
     let mut ray = Ray::new(start.origin, start.direction);
     let mut flux = emitter.power(world.bounds());
+    let mut last: Option<Surface<'w>> = None;
     for generation in 1.. {
         let expected = plan.expected(path.emitter, generation);
         if path.rank >= expected {
@@ -240,6 +241,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         }
         rays += 1;
         let Some(y) = world.closest(&ray) else { break };
+        flux *= y.clear_from(ray.origin, last.as_ref());
         deposit(&y, flux * (share / expected as f32), plan.bound, &mut vertices);
 
         let (s, d) = y.finish.weights();
@@ -265,6 +267,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
             break;
         }
         ray = Ray::new(y.spawn(scatter.wi), scatter.wi);
+        last = Some(y);
     }
     Traced { light, vertices, rays }
 }

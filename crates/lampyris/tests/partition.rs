@@ -8,7 +8,7 @@ use lampyris::Rgb;
 use lampyris::backend::Settings;
 use lampyris::eye::Eye;
 use lampyris::light::{Beam, LightKind};
-use lampyris::material::{Bsdf, Diffuse, Sides};
+use lampyris::material::{Bsdf, Dielectric, Diffuse, Pbr, Sides};
 use lampyris::testing::{Moments, sidak};
 use support::{Build, FAST, ORACLE, diffuse, glass, gloss, meter, render, say, settings, view};
 
@@ -20,7 +20,7 @@ const TILE: u32 = 4;
 /// Tests of one scene: tiles, meters, and the whole picture.
 const TESTS: usize = 12 + 2 + 1;
 /// Scenes in this file.
-const SCENES: usize = 10;
+const SCENES: usize = 12;
 
 /// Sums over tiles of the camera's picture, then the meters, then the sum of the picture.
 fn observe(scene: &Build, eye: &Eye, meters: &Eye, s: &Settings, batches: u32) -> Vec<f64> {
@@ -230,4 +230,42 @@ fn under_the_sky() {
     b.sphere(Vec3::new(0.8, 0.6, -0.5), 0.6, 2, false, |_| shiny);
     let (fast, oracle) = usual();
     compare("sky", &b, ACROSS, fast, oracle);
+}
+
+/// Metal, plastic and a frosted pane, dull and sharp.
+#[test]
+fn surfaces_of_gltf() {
+    let mut b = Build::default();
+    let wall = b.grey(0.5);
+    room(&mut b, [wall; 6]);
+    let mut pbr = |metallic: f32, transmission: f32, roughness: f32| {
+        let base_color = Rgb::new(0.9, 0.7, 0.4);
+        let surface = Pbr { base_color, metallic, transmission, roughness, ..Pbr::default() };
+        b.material(Bsdf::Pbr(surface), 0.0, Sides::Both)
+    };
+    let (metal, plastic) = (pbr(1.0, 0.0, 0.6), pbr(0.0, 0.0, 0.5));
+    let (polished, frosted) = (pbr(0.0, 0.0, 0.3), pbr(0.0, 0.8, 0.65));
+    b.block(Vec3::new(-1.4, 0.0, -1.4), Vec3::new(-0.5, 1.2, -0.5), metal);
+    b.block(Vec3::new(0.4, 0.0, -0.6), Vec3::new(1.2, 0.9, 0.2), plastic);
+    b.block(Vec3::new(0.5, 0.9, -0.5), Vec3::new(1.1, 1.3, 0.1), polished);
+    b.quad(Vec3::new(-0.8, 0.2, 0.3), Vec3::new(0.9, 0.0, 0.2), Vec3::Y * 1.5, frosted);
+    panel(&mut b, Vec3::new(0.0, 2.9, 0.0), 1.4, 10.0);
+    let (fast, oracle) = usual();
+    compare("surfaces of glTF", &b, ACROSS, fast, oracle);
+}
+
+/// A block of rough glass that absorbs, with a lamp behind it, and a ball cast into it.
+#[test]
+fn body_of_rough_glass() {
+    let mut b = Build::default();
+    let wall = b.grey(0.5);
+    room(&mut b, [wall; 6]);
+    let attenuation = Rgb::new(0.3, 0.8, 2.0);
+    let body = Dielectric { alpha: 0.6, attenuation, ..Dielectric::new(1.5, Rgb::grey(0.95)) };
+    let rough = b.material(Bsdf::Dielectric(body), 0.0, Sides::Both);
+    b.block(Vec3::new(-1.7, 0.01, -1.4), Vec3::new(-0.3, 1.6, -0.2), rough);
+    b.sphere(Vec3::new(-1.0, 0.8, -0.7), 0.3, 2, false, |_| wall);
+    panel(&mut b, Vec3::new(0.0, 2.9, -0.4), 1.4, 10.0);
+    let (fast, oracle) = (settings(FAST, 1 << 9, 1 << 6, 0), settings(ORACLE, 1, 1 << 6, 0));
+    compare("body of rough glass", &b, ACROSS, fast, oracle);
 }

@@ -67,13 +67,16 @@ pub(super) fn follow(
     // Density with which the current ray was chosen; infinite if no light could have been sampled instead.
     let mut pdf = f32::INFINITY;
     let mut hit = first;
+    let mut last: Option<Surface<'_>> = None;
     for vertex in 0..MAX_VERTICES {
         let t_max = hit.map_or(f32::INFINITY, |h| h.t);
         world.glows(ray.origin, ray.direction, t_max, |glow| {
-            *emission += throughput * glow.radiance * balance(pdf, glow.pdf);
+            let clear = last.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
+            *emission += throughput * clear * glow.radiance * balance(pdf, glow.pdf);
         });
         let at = hit?;
         let surface = world.surface(ray.direction, &at);
+        throughput *= surface.clear_from(ray.origin, last.as_ref());
         if !surface.emission().is_black() {
             let weight =
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
@@ -100,6 +103,7 @@ pub(super) fn follow(
         }
         ray = Ray::new(surface.spawn(scatter.wi), scatter.wi);
         rays.eye += 1;
+        last = Some(surface);
         hit = world.tracer().closest(&ray);
     }
     None
@@ -121,7 +125,8 @@ fn highlight(world: &World, surface: &Surface<'_>, numbers: Numbers, vertex: u32
         return Rgb::BLACK;
     }
     let weight = balance(share * arrival.pdf, surface.pdf(Class::Sharp, arrival.wi));
-    value * arrival.weight * (weight / share)
+    let clear = surface.clear_to(arrival.wi, arrival.distance(surface.position), None);
+    value * clear * arrival.weight * (weight / share)
 }
 
 /// The balance heuristic [Veach 1997, eq. 9.12]; a technique of infinite density (a delta) takes all.

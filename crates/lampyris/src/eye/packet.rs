@@ -176,7 +176,8 @@ impl<'w> Packet<'w> {
             winding = if world.has_environment() { inside } else { hits.hit };
             for k in lanes(hits.hit) {
                 let (facet, finish) = world.facet(hits.instance[k], hits.triangle[k]);
-                if !facet.is_flat() || !finish.emission.is_black() {
+                // A body of glass may have absorbed some of the light on its way here.
+                if !facet.is_flat() || !finish.emission.is_black() || finish.bsdf.is_solid_interface() {
                     continue;
                 }
                 if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {

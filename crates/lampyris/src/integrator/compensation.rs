@@ -66,7 +66,7 @@ fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays:
         if g <= b || y.finish.dull.is_black() {
             break;
         }
-        throughput *= s.weight * (1.0 - b / g);
+        throughput *= s.weight * y.clear_from(ray.origin, Some(&x)) * (1.0 - b / g);
         // L_r(y): direct light, light over sharp vertices, clamped virtual lights, and what the clamp takes in turn.
         let reflected = direct::at(pass, &y, numbers.branch(vertex + 1), rays)
             + caustic::at(world, &y, numbers.branch(vertex + 1), &mut rays.compensation)

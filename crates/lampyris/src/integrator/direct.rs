@@ -78,10 +78,12 @@ fn near_light(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Ray
     let mut sum = Rgb::BLACK;
     let t_max = met.as_ref().map_or(reach, |y| (y.position - ray.origin).length());
     world.glows(ray.origin, ray.direction, t_max, |glow| {
-        sum += glow.radiance * taken(glow.distance, glow.cosine);
+        let clear = x.clear_to(s.wi, glow.distance, None);
+        sum += clear * glow.radiance * taken(glow.distance, glow.cosine);
     });
     if let Some(y) = met.filter(|y| !y.emission().is_black()) {
-        sum += y.emission() * taken((y.position - x.position).length(), y.normal.dot(y.wo).abs());
+        let seen = y.emission() * y.clear_from(ray.origin, Some(x));
+        sum += seen * taken((y.position - x.position).length(), y.normal.dot(y.wo).abs());
     }
     sum * s.weight
 }

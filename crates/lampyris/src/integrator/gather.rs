@@ -57,7 +57,14 @@ fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
 fn reflected(x: &Surface<'_>, light: &Vpl<'_>, g: f32) -> Rgb {
     let wi = direction(light, x.position);
     let f = x.eval(Class::Dull, x.wo, wi);
-    if f.is_black() { Rgb::BLACK } else { f * intensity(light, wi) * g }
+    if f.is_black() {
+        return Rgb::BLACK;
+    }
+    let distance = match light.shine {
+        Shine::Distant => f32::INFINITY,
+        _ => (light.position - x.position).length(),
+    };
+    f * intensity(light, wi) * x.clear_to(wi, distance, light.gloss.as_ref()) * g
 }
 
 /// Radiance that the dull lobes of `x` send toward its `wo` by one light's light [cd/m²].

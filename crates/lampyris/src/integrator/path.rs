@@ -135,7 +135,7 @@ pub(super) fn trace(
     // Density with which the current ray was chosen; infinite if next-event estimation cannot have found the same.
     let mut pdf = f32::INFINITY;
     let mut surface = match start {
-        Start::Ray(ray) => arrive(world, ray, pdf, history, throughput, &mut parts, rays),
+        Start::Ray(ray) => arrive(world, ray, None, pdf, history, &mut throughput, &mut parts, rays),
         Start::Surface(surface) => Some(surface),
     };
     for vertex in 0..MAX_VERTICES {
@@ -173,18 +173,21 @@ pub(super) fn trace(
             }
             throughput *= 1.0 / stay;
         }
-        surface = arrive(world, Ray::new(x.spawn(s.wi), s.wi), pdf, history, throughput, &mut parts, rays);
+        let ray = Ray::new(x.spawn(s.wi), s.wi);
+        surface = arrive(world, ray, Some(&x), pdf, history, &mut throughput, &mut parts, rays);
     }
     if scope == Scope::Caustics { Parts { caustic: parts.caustic, ..Parts::default() } } else { parts }
 }
 
-/// Traces a ray and counts what glows along it and at its end.
+/// Traces a ray from `start`, or from the eye, and counts what glows along it and at its end.
+#[allow(clippy::too_many_arguments, reason = "the state of one path")]
 fn arrive<'w>(
     world: &'w World,
     ray: Ray,
+    start: Option<&Surface<'w>>,
     pdf: f32,
     history: History,
-    throughput: Rgb,
+    throughput: &mut Rgb,
     parts: &mut Parts,
     rays: &mut Rays,
 ) -> Option<Surface<'w>> {
@@ -192,11 +195,15 @@ fn arrive<'w>(
     let met = world.closest(&ray);
     let t_max = met.as_ref().map_or(f32::INFINITY, |y| (y.position - ray.origin).length());
     world.glows(ray.origin, ray.direction, t_max, |glow| {
-        parts.add(history, throughput * glow.radiance * balance(pdf, glow.pdf));
+        let clear = start.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
+        parts.add(history, *throughput * clear * glow.radiance * balance(pdf, glow.pdf));
     });
+    if let Some(y) = &met {
+        *throughput *= y.clear_from(ray.origin, start);
+    }
     if let Some(y) = met.as_ref().filter(|y| !y.emission().is_black()) {
         let weight = if pdf.is_finite() { balance(pdf, world.pdf_toward(y, ray.origin)) } else { 1.0 };
-        parts.add(history, throughput * y.emission() * weight);
+        parts.add(history, *throughput * y.emission() * weight);
     }
     met
 }
@@ -226,5 +233,7 @@ fn connect(
     if !world.unblocked(x.spawn(arrival.wi), &arrival) {
         return Rgb::BLACK;
     }
-    value * arrival.weight * (balance(share * arrival.pdf, probability * x.pdf(class, arrival.wi)) / share)
+    let clear = x.clear_to(arrival.wi, arrival.distance(x.position), None);
+    let weight = balance(share * arrival.pdf, probability * x.pdf(class, arrival.wi));
+    value * clear * arrival.weight * (weight / share)
 }

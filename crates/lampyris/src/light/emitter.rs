@@ -70,6 +70,13 @@ pub struct Arrival {
     pub pdf: f32,
 }
 
+impl Arrival {
+    /// How far from `x` the light is [m].
+    pub fn distance(&self, x: Vec3) -> f32 {
+        self.end.map_or(f32::INFINITY, |end| (end - x).length())
+    }
+}
+
 /// The sphere around the scene, from which distant light sets out.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bounds {

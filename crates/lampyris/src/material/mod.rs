@@ -7,6 +7,8 @@
 
 mod dielectric;
 mod diffuse;
+mod energy;
+mod ggx;
 mod maps;
 mod pbr;
 mod ward;
@@ -21,7 +23,7 @@ use crate::color::Rgb;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// Roughness below which a glossy lobe counts as [`Class::Sharp`] [RMS facet slope].
+/// Roughness below which a glossy lobe counts as [`Class::Sharp`]: Ward's RMS facet slope, GGX's α.
 pub const SHARP_ALPHA: f32 = 0.15;
 
 /// The two classes of lobes that partition path space (docs/light-transport.md): S and D of Heckbert's notation.
@@ -114,13 +116,14 @@ fn same_side(wo: Vec3, wi: Vec3) -> bool {
 }
 
 impl Bsdf {
-    /// f_r of the lobes of `class` [sr⁻¹], without the cosine. Delta lobes evaluate to black.
+    /// f_r of the lobes of `class` [sr⁻¹], without the cosine, for light that arrives from `wi` and leaves toward `wo`.
+    /// Delta lobes evaluate to black.
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
         match self {
             Bsdf::Diffuse(m) => m.eval(class, wo, wi),
             Bsdf::Ward(m) => m.eval(class, wo, wi),
-            Bsdf::Pbr(m) => m.base().eval(class, wo, wi),
-            Bsdf::Dielectric(_) => Rgb::BLACK,
+            Bsdf::Pbr(m) => m.eval(class, wo, wi),
+            Bsdf::Dielectric(m) => m.eval(class, wo, wi),
         }
     }
 
@@ -139,8 +142,8 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.sample(class, wo, u, choice),
             Bsdf::Ward(m) => m.sample(class, wo, u, choice),
-            Bsdf::Pbr(m) => m.base().sample(class, wo, u, choice),
-            Bsdf::Dielectric(m) => m.sample(class, wo, choice, transport),
+            Bsdf::Pbr(m) => m.sample(class, wo, u, choice),
+            Bsdf::Dielectric(m) => m.sample(class, wo, u, choice, transport),
         }
     }
 
@@ -149,19 +152,19 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.pdf(class, wo, wi),
             Bsdf::Ward(m) => m.pdf(class, wo, wi),
-            Bsdf::Pbr(m) => m.base().pdf(class, wo, wi),
-            Bsdf::Dielectric(_) => 0.0,
+            Bsdf::Pbr(m) => m.pdf(class, wo, wi),
+            Bsdf::Dielectric(m) => m.pdf(class, wo, wi),
         }
     }
 
     /// Share of the light arriving from `wo` that the lobes of `class` send on (directional albedo), to a few per
     /// cent: it steers choices and fills the albedo channels, no estimate depends on its exactness. It is exactly
-    /// black only if the class is empty.
+    /// black only if the class is empty. What rough glass loses between its facets it does not tell.
     pub fn albedo(&self, class: Class, wo: Vec3) -> Rgb {
         match self {
             Bsdf::Diffuse(m) => m.albedo(class),
             Bsdf::Ward(m) => m.albedo(class, wo),
-            Bsdf::Pbr(m) => m.base().albedo(class),
+            Bsdf::Pbr(m) => m.albedo(class, wo),
             Bsdf::Dielectric(m) => m.albedo(class, wo),
         }
     }
@@ -171,8 +174,8 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => m.lambertian(),
             Bsdf::Ward(m) => m.lambertian(),
-            Bsdf::Pbr(m) => m.base().lambertian(),
-            Bsdf::Dielectric(_) => Some(Rgb::BLACK),
+            Bsdf::Pbr(m) => m.lambertian(),
+            Bsdf::Dielectric(m) => (!m.is_dull()).then_some(Rgb::BLACK),
         }
     }
 
@@ -181,7 +184,9 @@ impl Bsdf {
         match self {
             Bsdf::Diffuse(m) => !m.transmittance.is_black(),
             Bsdf::Ward(m) => !m.base.transmittance.is_black() || !m.transmission.is_black(),
-            Bsdf::Dielectric(_) | Bsdf::Pbr(_) => false,
+            Bsdf::Pbr(m) => m.transmits(),
+            // Even where nothing passes: its outward normal makes either side a receiver.
+            Bsdf::Dielectric(m) => m.is_dull(),
         }
     }
 

@@ -3,11 +3,14 @@
 //! Shading normals bend the BSDF, not the geometry: f_r is black unless `wi` lies on the same side of the shading
 //! and of the geometric normal; which side `wo` is on, the geometric normal alone decides.
 //! The receiver's cosine is the shading normal's, the emitting side's cosine the geometric one.
+//!
+//! What a body of glass absorbs is asked at its interface: a straight way runs inside a body if either of its ends lies
+//! on the inner side of one. (Of a way between two things cast into the same glass no end knows.)
 
 use super::finish::{Finish, WHITE};
 use crate::color::Rgb;
 use crate::geometry::{Frame, SurfacePoint};
-use crate::material::{Class, Scatter, Transport};
+use crate::material::{Bsdf, Class, Scatter, Transport};
 use glam::Vec3;
 
 /// A surface point seen from `wo`.
@@ -58,6 +61,26 @@ impl<'w> Surface<'w> {
     pub fn spawn(&self, direction: Vec3) -> Vec3 {
         let side = if direction.dot(self.normal) >= 0.0 { self.normal } else { -self.normal };
         SurfacePoint { position: self.position, error: self.error }.spawn(side)
+    }
+
+    /// What Beer's law leaves of light on a straight way of `distance` [m] between this surface, which it meets from or
+    /// leaves in `direction`, and `other`.
+    pub fn clear_to(&self, direction: Vec3, distance: f32, other: Option<&Surface<'_>>) -> Rgb {
+        let sigma = self.attenuation(direction).or_else(|| other?.attenuation(-direction));
+        sigma.map_or(Rgb::WHITE, |sigma| beer(sigma, distance))
+    }
+
+    /// What Beer's law leaves of light on its way to here from `origin`, where `start` may have reflected it.
+    pub fn clear_from(&self, origin: Vec3, start: Option<&Surface<'_>>) -> Rgb {
+        self.clear_to(self.wo, (self.position - origin).length(), start)
+    }
+
+    /// σ [m⁻¹] of the body that `direction` leads into.
+    fn attenuation(&self, direction: Vec3) -> Option<Rgb> {
+        let Bsdf::Dielectric(body) = &self.finish.bsdf else { return None };
+        // `normal` is on the side of `wo`, which `front` tells from the inside.
+        let inside = (self.normal.dot(direction) > 0.0) != self.front;
+        (inside && !body.attenuation.is_black()).then_some(body.attenuation)
     }
 
     /// Cosine between a direction and the shading normal, without sign.
@@ -139,4 +162,9 @@ impl<'w> Surface<'w> {
         let up = (self.normal.dot(wo) >= 0.0) == outward;
         Vec3::new(l.x, l.y, l.z.abs().max(1e-4) * if up { 1.0 } else { -1.0 })
     }
+}
+
+/// exp(−σ d) channel by channel; a body without end leaves nothing but what it does not absorb at all.
+fn beer(sigma: Rgb, distance: f32) -> Rgb {
+    sigma.map(|s| if s == 0.0 { 1.0 } else { libm::expf(-s * distance) })
 }
