@@ -67,7 +67,7 @@ objects! {
     struct SceneNodes { nodes: Vec<u32> = Vec::new(), }
     struct Node {
         name: Option<Box<str>> = None,
-        children: Vec<u32> = Vec::new(),
+        children: Box<[u32]> = Box::default(),
         mesh: Option<u32> = None,
         camera: Option<u32> = None,
         #[serde(deserialize_with = "present")]

@@ -13,6 +13,15 @@ use std::collections::HashMap;
 /// Least share of light that a body lets through along its attenuation distance; less has no logarithm.
 const LEAST: f32 = 1e-6;
 
+/// A material of the document as primitives wear it.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Worn {
+    /// Its number in the scene.
+    pub(super) number: u32,
+    /// Whether it has a normal map, which asks for tangents.
+    pub(super) bumpy: bool,
+}
+
 /// Makes the scene's textures from those of the document, each once for each meaning of its bytes.
 pub(super) struct Textures<'a> {
     document: &'a json::Document,
@@ -97,8 +106,20 @@ impl<'a> Textures<'a> {
         Some(Map { texture, set, transform: transform.map_or(Affine2::IDENTITY, placed) })
     }
 
-    /// A material of the document.
-    pub(super) fn material(&mut self, index: usize, m: &json::Material, notes: &mut Notes) -> Material {
+    /// The materials that are worn, and those with a name, so that an edit can put them on.
+    pub(super) fn materials(&mut self, worn: &[bool], notes: &mut Notes) -> (Vec<Material>, Vec<Worn>) {
+        let mut made = Vec::new();
+        let mut surfaces = vec![Worn::default(); worn.len()];
+        for (k, m) in self.document.materials.iter().enumerate().filter(|(k, m)| worn[*k] || m.name.is_some())
+        {
+            let material = self.material(k, m, notes);
+            surfaces[k] = Worn { number: made.len() as u32, bumpy: material.maps.normal.is_some() };
+            made.push(material);
+        }
+        (made, surfaces)
+    }
+
+    fn material(&mut self, index: usize, m: &json::Material, notes: &mut Notes) -> Material {
         let place = format!("material {index}");
         let none = Box::default();
         let ext: &json::MaterialExtensions = m.extensions.as_ref().unwrap_or(&none);
@@ -212,4 +233,46 @@ fn unsigned(v: f32) -> f32 {
 
 fn color([r, g, b]: [f32; 3]) -> Rgb {
     Rgb::new(r, g, b).map(unsigned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn made(text: &str) -> (Material, Vec<Texture>, Vec<String>) {
+        let document: json::Document = serde_json::from_str(text).unwrap();
+        let images = [Some(0), None];
+        assert_eq!(images_used(&document), [true, true]);
+        let (mut textures, mut notes) = (Textures::new(&document, &images), Notes::new("a.gltf".as_ref()));
+        let (mut materials, worn) = textures.materials(&[true], &mut notes);
+        assert_eq!((materials.len(), worn[0].bumpy), (1, true));
+        (materials.remove(0), textures.textures, notes.into_lines())
+    }
+
+    #[test]
+    fn textures_are_laid_as_the_file_says() {
+        let (m, textures, warnings) = made(
+            r#"{"images": [{}, {}], "samplers": [{"magFilter": 9728, "wrapS": 33071, "wrapT": 33648}],
+            "textures": [{"source": 0, "sampler": 0}, {"source": 1}],
+            "materials": [{"normalTexture": {"index": 0, "scale": 0.5}, "emissiveTexture": {"index": 1},
+                "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1},
+                    "metallicRoughnessTexture": {"index": 0, "texCoord": 1, "extensions": {"KHR_texture_transform":
+                        {"offset": [0.5, 0.25], "scale": [2, 4], "rotation": 1.5707964, "texCoord": 0}}}},
+                "extensions": {"KHR_materials_specular": {"specularTexture": {"index": 0, "texCoord": 2}}}}]}"#,
+        );
+        let wrap = [Wrap::Clamp, Wrap::Mirror];
+        let nearest = |encoding| Texture { image: 0, encoding, wrap, filter: Filter::Nearest };
+        assert_eq!(textures, [nearest(Encoding::Linear), nearest(Encoding::Srgb)], "once for each meaning");
+        let plain = |texture, set| Map { texture, set, transform: Affine2::IDENTITY };
+        assert_eq!((m.maps.normal, m.maps.color), (Some((plain(0, 0), 0.5)), Some(plain(1, 1))));
+        assert_eq!((m.maps.emission, m.maps.specular), (None, None), "no picture; a third set");
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        // u to −v, v to u: a quarter turn counter-clockwise where v points down.
+        let map = m.maps.roughness.unwrap();
+        let at = |u, v| map.transform.transform_point2(Vec2::new(u, v));
+        assert_eq!((map.texture, map.set), (0, 0));
+        assert!(at(0.0, 0.0).distance(Vec2::new(0.5, 0.25)) < 1e-6);
+        assert!(at(1.0, 0.0).distance(Vec2::new(0.5, -1.75)) < 1e-6);
+        assert!(at(0.0, 1.0).distance(Vec2::new(4.5, 0.25)) < 1e-6);
+    }
 }

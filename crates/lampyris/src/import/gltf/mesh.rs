@@ -5,6 +5,7 @@
 
 use super::accessor::{Accessor, Accessors};
 use super::json::{Attributes, Document, Mesh as JsonMesh, Primitive, Shape};
+use super::material::Worn;
 use crate::error::Result;
 use crate::import::notes::Notes;
 use crate::scene::Mesh;
@@ -30,9 +31,9 @@ impl Plan<'_> {
     }
 
     /// Which attributes its vertices have.
-    fn signature(&self, bumpy: &[bool]) -> [bool; 5] {
+    fn signature(&self, surfaces: &[Worn]) -> [bool; 5] {
         let Attributes { normal, tangent, uv0, uv1, color, .. } = self.primitive.attributes;
-        let bumpy = self.primitive.material.and_then(|m| bumpy.get(m as usize)).is_some_and(|b| *b);
+        let bumpy = self.primitive.material.and_then(|m| surfaces.get(m as usize)).is_some_and(|w| w.bumpy);
         [normal.is_some(), tangent.is_some() && bumpy, uv0.is_some(), uv1.is_some(), color.is_some()]
     }
 }
@@ -91,15 +92,15 @@ pub(super) fn plan<'a>(
     Ok(Planned { plans, triangles })
 }
 
-/// The meshes of a planned one; `bumpy` are the materials with normal maps, and `plain` is the one of those without any.
+/// The meshes of a planned one; `plain` makes the material of primitives without any.
 pub(super) fn read(
     planned: Planned<'_>,
     accessors: &Accessors<'_>,
-    bumpy: &[bool],
+    surfaces: &[Worn],
     plain: &mut impl FnMut() -> u32,
     notes: &mut Notes,
 ) -> Result<Vec<Mesh>> {
-    let mut kinds: Vec<[bool; 5]> = planned.plans.iter().map(|p| p.signature(bumpy)).collect();
+    let mut kinds: Vec<[bool; 5]> = planned.plans.iter().map(|p| p.signature(surfaces)).collect();
     let all = kinds.clone();
     kinds.sort_by_key(|kind| all.iter().position(|k| k == kind));
     kinds.dedup();
@@ -111,7 +112,8 @@ pub(super) fn read(
         mesh.triangles.reserve_exact(group().map(|p| p.triangles as usize).sum());
         mesh.materials.reserve_exact(mesh.triangles.capacity());
         for plan in group() {
-            let material = plan.primitive.material.unwrap_or_else(&mut *plain);
+            let known = plan.primitive.material.and_then(|m| surfaces.get(m as usize));
+            let material = known.map_or_else(&mut *plain, |w| w.number);
             add(plan, accessors, kind, material, &mut mesh, notes)?;
         }
         if !mesh.triangles.is_empty() {

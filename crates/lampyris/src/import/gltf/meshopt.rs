@@ -295,3 +295,107 @@ fn exponential(v: &mut [u8]) {
     let value = libm::ldexpf(((bits << 8) >> 8) as f32, bits >> 24);
     v.copy_from_slice(&value.to_le_bytes());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn view(mode: &str, stride: u32, count: u64, filter: Option<&str>) -> Compressed {
+        Compressed {
+            byte_stride: stride,
+            count,
+            mode: mode.into(),
+            filter: filter.map(String::from),
+            ..Compressed::default()
+        }
+    }
+
+    /// Packs vertices, each group of sixteen differences in as few bits as hold it.
+    fn packed(bytes: &[u8], stride: usize) -> Vec<u8> {
+        let mut out = vec![0xa0];
+        let mut last = vec![0u8; stride];
+        let block = (8192 / stride & !15).min(256);
+        for vertices in bytes.chunks(block * stride) {
+            for (k, last) in last.iter_mut().enumerate() {
+                let mut codes: Vec<u8> = Vec::new();
+                for vertex in vertices.chunks(stride) {
+                    let d = vertex[k].wrapping_sub(*last) as i8;
+                    codes.push(((d << 1) ^ (d >> 7)) as u8);
+                    *last = vertex[k];
+                }
+                codes.resize(codes.len().next_multiple_of(16), 0);
+                let mode = |group: &[u8]| match group.iter().max() {
+                    Some(0) => 0u8,
+                    Some(1..=4) => 1,
+                    Some(5..=40) => 2,
+                    _ => 3,
+                };
+                let modes: Vec<u8> = codes.chunks(16).map(mode).collect();
+                out.extend(modes.chunks(4).map(|m| (0..).zip(m).map(|(i, m)| m << (2 * i)).sum::<u8>()));
+                for (group, mode) in codes.chunks(16).zip(modes) {
+                    let bits = [0, 2, 4, 8][usize::from(mode)];
+                    if bits == 8 {
+                        out.extend(group);
+                    } else if bits > 0 {
+                        let most = (1u8 << bits) - 1;
+                        for part in group.chunks(8 / bits) {
+                            out.push(part.iter().fold(0, |byte, v| (byte << bits) | (*v).min(most)));
+                        }
+                        out.extend(group.iter().filter(|v| **v >= most));
+                    }
+                }
+            }
+        }
+        out.extend(vec![0; stride.max(32)]);
+        out
+    }
+
+    #[test]
+    fn packed_vertices_come_back() {
+        for (stride, count) in [(4, 1), (12, 300), (16, 1000), (64, 129), (256, 40)] {
+            let wave = |k: usize| ((k / stride) * (k % stride % 5) / 3 + (k * k / 97) % (1 + k % 60)) as u8;
+            let bytes: Vec<u8> = (0..stride * count).map(wave).collect();
+            let source = packed(&bytes, stride);
+            let view = view("ATTRIBUTES", stride as u32, count as u64, None);
+            assert_eq!(decode(&view, &source).unwrap(), bytes, "{stride} × {count}");
+            for end in 0..source.len() {
+                assert!(decode(&view, &source[..end]).is_err());
+            }
+        }
+    }
+
+    #[test]
+    fn triangles_share_edges_and_corners() {
+        // Three new corners; a neighbour over the edge (1, 2) with a new corner; one over the last edge with the corner
+        // seen one before; three free corners at 9, 9 + 2 and 11 − 3.
+        let mut source = vec![0xe0, 0xf0, 0x10, 0x01, 0xff, 0xff, 18, 4, 5];
+        source.extend([0; 16]);
+        let want: Vec<u8> =
+            [0u16, 1, 2, 2, 1, 3, 2, 3, 2, 9, 11, 8].iter().flat_map(|i| i.to_le_bytes()).collect();
+        assert_eq!(decode(&view("TRIANGLES", 2, 12, None), &source).unwrap(), want);
+        for end in 0..source.len() {
+            assert!(decode(&view("TRIANGLES", 2, 12, None), &source[..end]).is_err());
+        }
+    }
+
+    #[test]
+    fn sequences_go_on_from_either_of_two() {
+        // +5 on the first, +300 on the second, −1 on the first.
+        let source = [0xd1, 5 << 2, 0xb1, 0x09, 1 << 1, 0, 0, 0, 0];
+        let want: Vec<u8> = [5u32, 300, 4].iter().flat_map(|i| i.to_le_bytes()).collect();
+        assert_eq!(decode(&view("INDICES", 4, 3, None), &source).unwrap(), want);
+    }
+
+    #[test]
+    fn filters_make_unit_vectors_and_numbers() {
+        let mut north = [0, 0, 127, 9];
+        octahedral_bytes(&mut north);
+        assert_eq!(north, [0, 0, 127, 9]);
+        let mut south = [127, 127, 127, 9];
+        octahedral_bytes(&mut south);
+        assert_eq!(south, [0, 0, -127i8 as u8, 9]);
+        let mut number = ((-4i32 << 24) | 40).to_le_bytes();
+        exponential(&mut number);
+        assert_eq!(f32::from_le_bytes(number), 2.5);
+    }
+}

@@ -12,6 +12,7 @@ mod mesh;
 mod meshopt;
 mod nodes;
 mod pictures;
+mod soundness;
 
 use super::files::Root;
 use super::notes::Notes;
@@ -24,7 +25,7 @@ use accessor::Accessors;
 use buffers::Buffers;
 use glam::Vec3;
 use json::Document;
-use material::Textures;
+use material::{Textures, Worn};
 use nodes::Placed;
 use std::path::Path;
 
@@ -53,11 +54,13 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Loaded> {
         notes.limit(what, &format!("the number of {what}"), count as u64, limits.nodes, "--max-nodes")?;
     }
     let placement = nodes::walk(&document, limits, &mut notes)?;
+    if placement.meshes.is_empty() && !document.meshes.is_empty() {
+        notes.warn("nodes", "no node of the scene places a mesh: there is nothing to see");
+    }
     let buffers = Buffers::open(&document, parts.binary, &root, &file);
     let (images, numbers) = pictures::read(&document, &buffers, &root, &file, &mut notes);
     let mut textures = Textures::new(&document, &numbers);
-    let materials: Vec<Material> =
-        document.materials.iter().enumerate().map(|(k, m)| textures.material(k, m, &mut notes)).collect();
+    let (materials, surfaces) = textures.materials(&worn(&document, &placement.meshes), &mut notes);
     let mut scene = Scene {
         images,
         textures: textures.textures,
@@ -67,7 +70,8 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Loaded> {
         up: Some(Vec3::Y),
         ..Scene::default()
     };
-    fill(&mut scene, placement.meshes, &document, &buffers, limits, &mut notes)?;
+    fill(&mut scene, placement.meshes, &surfaces, &document, &buffers, limits, &mut notes)?;
+    soundness::check(&document, &buffers, &mut notes);
     Ok(Loaded { scene, warnings: notes.into_lines() })
 }
 
@@ -83,10 +87,25 @@ fn parse(json: &[u8], notes: &Notes) -> Result<Document> {
     })
 }
 
+/// Which materials the meshes shown wear.
+fn worn(document: &Document, placed: &[Placed]) -> Vec<bool> {
+    let mut shown = vec![false; document.meshes.len()];
+    placed.iter().for_each(|p| shown[p.mesh as usize] = true);
+    let mut worn = vec![false; document.materials.len()];
+    let meshes = document.meshes.iter().zip(shown).filter(|(_, shown)| *shown);
+    for material in meshes.flat_map(|(m, _)| &m.primitives).filter_map(|p| p.material) {
+        if let Some(w) = worn.get_mut(material as usize) {
+            *w = true;
+        }
+    }
+    worn
+}
+
 /// Reads each mesh that is placed once, and places it as often as the nodes say.
 fn fill(
     scene: &mut Scene,
     placed: Vec<Placed>,
+    surfaces: &[Worn],
     document: &Document,
     buffers: &Buffers<'_>,
     limits: &Limits,
@@ -95,7 +114,6 @@ fn fill(
     let accessors = Accessors::new(document, buffers, limits.triangles);
     let mut uses = vec![0u64; document.meshes.len()];
     placed.iter().for_each(|p| uses[p.mesh as usize] += 1);
-    let bumpy: Vec<bool> = scene.materials.iter().map(|m| m.maps.normal.is_some()).collect();
     let mut made: Vec<std::ops::Range<u32>> = vec![0..0; document.meshes.len()];
     let mut triangles = 0u64;
     let Scene { meshes, materials, instances, .. } = scene;
@@ -114,7 +132,7 @@ fn fill(
         let what = "the number of triangles, instances counted";
         notes.limit(format!("mesh {index}"), what, triangles, limits.triangles, "--max-triangles")?;
         let first = meshes.len() as u32;
-        meshes.extend(mesh::read(planned, &accessors, &bumpy, &mut plain, notes)?);
+        meshes.extend(mesh::read(planned, &accessors, surfaces, &mut plain, notes)?);
         made[index as usize] = first..meshes.len() as u32;
     }
     let count = placed.iter().map(|p| made[p.mesh as usize].len()).sum();

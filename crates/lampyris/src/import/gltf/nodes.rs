@@ -93,7 +93,7 @@ fn roots(document: &Document, notes: &Notes) -> Result<Vec<u32>> {
         }
         None => {
             let mut root = vec![true; document.nodes.len()];
-            for child in document.nodes.iter().flat_map(|n| &n.children) {
+            for child in document.nodes.iter().flat_map(|n| n.children.iter()) {
                 if let Some(r) = root.get_mut(*child as usize) {
                     *r = false;
                 }

@@ -92,7 +92,7 @@ impl Default for Surface {
             ns: 0.0,
             ni: None,
             d: 1.0,
-            illum: 1,
+            illum: 2,
             pr: None,
             pm: None,
             map_kd: None,
