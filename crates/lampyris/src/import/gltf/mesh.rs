@@ -83,7 +83,7 @@ pub(super) fn plan<'a>(
             primitive.indices.map(|i| accessors.get(i, &[Shape::Scalar])).transpose().map_err(bad)?;
         let corners = indices.as_ref().unwrap_or(&positions).count() as u64;
         let triangles = if primitive.mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
-        if primitive.mode == 4 && corners % 3 != 0 {
+        if primitive.mode == 4 && !corners.is_multiple_of(3) {
             notes.warn(&place, "corners that make no whole triangle; left out");
         }
         plans.push(Plan { primitive, place, positions, indices, triangles });
@@ -232,7 +232,7 @@ fn reserve<T>(items: &mut Vec<T>, room: usize) {
 
 /// Leaves out triangles with corners that are not finite or beyond all bounds.
 fn drop_what_is_nowhere(mesh: &mut Mesh, base: usize, first: usize, place: &str, notes: &mut Notes) {
-    let nowhere = |p: &Vec3| !(p.abs().max_element() <= FARTHEST) || !p.is_finite();
+    let nowhere = |p: &Vec3| !p.is_finite() || p.abs().max_element() > FARTHEST;
     if !mesh.positions[base..].iter().any(nowhere) {
         return;
     }

@@ -90,7 +90,7 @@ fn attributes(source: &[u8], count: usize, stride: usize) -> Result<Vec<u8>, Str
     let mut last = end[tail - stride..].to_vec();
     let mut stream = Stream(body);
     let mut out = vec![0; count * stride];
-    let block = (8192 / stride & !15).min(256);
+    let block = ((8192 / stride) & !15).min(256);
     for vertices in out.chunks_mut(block * stride) {
         let n = vertices.len() / stride;
         for (k, last) in last.iter_mut().enumerate() {
@@ -314,7 +314,7 @@ mod tests {
     fn packed(bytes: &[u8], stride: usize) -> Vec<u8> {
         let mut out = vec![0xa0];
         let mut last = vec![0u8; stride];
-        let block = (8192 / stride & !15).min(256);
+        let block = ((8192 / stride) & !15).min(256);
         for vertices in bytes.chunks(block * stride) {
             for (k, last) in last.iter_mut().enumerate() {
                 let mut codes: Vec<u8> = Vec::new();

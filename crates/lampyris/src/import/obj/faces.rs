@@ -47,6 +47,8 @@ pub(super) struct Faces {
     pub(super) triangles: u64,
     mesh: Mesh,
     vertices: HashMap<Corner, u32>,
+    /// The face's corners as the mesh numbers them.
+    numbers: Vec<u32>,
 }
 
 impl Faces {
@@ -59,18 +61,21 @@ impl Faces {
                 "positions that are not finite, or farther than 1e18 m; their faces are left out",
             ));
         }
-        let (triangles, odd) = match self.outline.len() {
-            3 => (vec![[0, 1, 2]], None),
-            _ => cut(&self.outline.iter().map(|c| place(c).as_dvec3()).collect::<Vec<_>>()),
+        let (polygon, odd);
+        let triangles: &[[u32; 3]] = if self.outline.len() == 3 {
+            odd = None;
+            &[[0, 1, 2]]
+        } else {
+            (polygon, odd) = cut(&self.outline.iter().map(|c| place(c).as_dvec3()).collect::<Vec<_>>());
+            &polygon
         };
-        let outline = std::mem::take(&mut self.outline);
-        let mut numbers = Vec::with_capacity(outline.len());
-        for corner in &outline {
-            numbers.push(self.vertex(*corner)?);
+        self.numbers.clear();
+        for k in 0..self.outline.len() {
+            let number = self.vertex(self.outline[k])?;
+            self.numbers.push(number);
         }
-        self.outline = outline;
         self.triangles += triangles.len() as u64;
-        self.mesh.triangles.extend(triangles.iter().map(|t| t.map(|k| numbers[k as usize])));
+        self.mesh.triangles.extend(triangles.iter().map(|t| t.map(|k| self.numbers[k as usize])));
         self.mesh.materials.resize(self.mesh.triangles.len(), material);
         Ok(odd)
     }

@@ -4,7 +4,6 @@
 //! light, Ns as the width of a lobe, `illum` as the choice between matt, mirror and glass.
 
 use crate::color::Rgb;
-use crate::import::lines::words;
 use crate::material::{Bsdf, Coverage, Dielectric, Diffuse, Material, Pbr, Sides, Ward};
 
 /// What a surface may reflect at most, in each channel.
@@ -24,22 +23,20 @@ impl Source {
     pub(super) fn parse(text: &str) -> Option<Source> {
         let mut source = Source { file: String::new(), clamp: false, multiplier: 1.0 };
         let mut rest = text;
-        while let Some(option) = words(rest).next().filter(|w| w.starts_with('-')) {
-            let after = |text: &'_ str, word: &str| text.trim_start()[word.len()..].trim_start().len();
-            let tail = |text: &str, length: usize| text[text.len() - length..].to_owned();
-            let mut left = tail(rest, after(rest, option));
+        loop {
+            let (option, mut left) = first_word(rest);
             let (least, most) = match option {
                 "-o" | "-s" | "-t" => (1, 3),
                 "-mm" => (2, 2),
                 "-blendu" | "-blendv" | "-bm" | "-boost" | "-cc" | "-clamp" | "-imfchan" | "-texres"
                 | "-type" => (1, 1),
-                // No option: a name that begins so.
+                // No option: a name, which may begin like one.
                 _ => break,
             };
             for k in 0..most {
-                let Some(word) = words(&left).next().map(str::to_owned) else { return None };
+                let (word, after) = first_word(left);
                 let number = word.parse::<f32>().ok();
-                if k >= least && number.is_none() {
+                if word.is_empty() || (k >= least && number.is_none()) {
                     break;
                 }
                 match (option, number) {
@@ -47,14 +44,20 @@ impl Source {
                     ("-bm", Some(v)) if v.is_finite() => source.multiplier = v,
                     _ => {}
                 }
-                left = tail(&left, after(&left, &word));
+                left = after;
             }
-            rest = &text[text.len() - left.len()..];
+            rest = left;
         }
         // Exporters of one system write its separator.
         source.file = rest.trim().replace('\\', "/");
         (!source.file.is_empty()).then_some(source)
     }
+}
+
+/// The first word of a text, and what follows it.
+fn first_word(text: &str) -> (&str, &str) {
+    let text = text.trim_start();
+    text.split_at(text.find(char::is_whitespace).unwrap_or(text.len()))
 }
 
 /// A material as its lines say.
