@@ -272,9 +272,11 @@ mod tests {
 
     #[test]
     fn triangles_without_a_place_go_and_no_other() {
-        let mut mesh = Mesh::default();
-        mesh.positions = vec![Vec3::NAN, Vec3::ONE, Vec3::X, Vec3::Y, Vec3::splat(2e18), Vec3::Z];
-        mesh.triangles = vec![[0, 1, 2], [1, 2, 3], [3, 4, 5], [3, 5, 1]];
+        let mut mesh = Mesh {
+            positions: vec![Vec3::NAN, Vec3::ONE, Vec3::X, Vec3::Y, Vec3::splat(2e18), Vec3::Z],
+            triangles: vec![[0, 1, 2], [1, 2, 3], [3, 4, 5], [3, 5, 1]],
+            ..Mesh::default()
+        };
         let mut notes = Notes::new("a.glb".as_ref());
         drop_what_is_nowhere(&mut mesh, 1, 1, "mesh 0", &mut notes);
         assert_eq!(mesh.triangles, [[0, 1, 2], [1, 2, 3], [3, 5, 1]]);
