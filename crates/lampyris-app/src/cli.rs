@@ -198,6 +198,12 @@ pub(crate) struct LimitArgs {
     /// Vertices of a polygon
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_polygon: Option<u64>,
+    /// Pixels of one picture
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_image_pixels: Option<u64>,
+    /// Bytes of all pictures, decoded
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_image_bytes: Option<u64>,
 }
 
 #[derive(Debug, Args)]

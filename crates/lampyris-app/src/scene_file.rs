@@ -15,6 +15,8 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         entities: l.max_entities.unwrap_or(d.entities),
         array: l.max_array.unwrap_or(d.array),
         polygon: l.max_polygon.unwrap_or(d.polygon),
+        image_pixels: l.max_image_pixels.unwrap_or(d.image_pixels),
+        image_bytes: l.max_image_bytes.unwrap_or(d.image_bytes),
     };
     let loaded = import::load(
         &args.file,

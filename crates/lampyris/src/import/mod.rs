@@ -1,6 +1,7 @@
 //! Scene files in. One table by extension: a new format is one file and one row.
 
 mod files;
+pub mod image;
 mod mgf;
 mod report;
 
@@ -52,6 +53,10 @@ pub struct Limits {
     pub array: u64,
     /// Vertices of one polygon.
     pub polygon: u64,
+    /// Pixels of one picture.
+    pub image_pixels: u64,
+    /// Bytes of all pictures, decoded.
+    pub image_bytes: u64,
 }
 
 impl Default for Limits {
@@ -63,6 +68,8 @@ impl Default for Limits {
             entities: 50_000_000,
             array: 10_000_000,
             polygon: 65_536,
+            image_pixels: 1 << 28,
+            image_bytes: 4 << 30,
         }
     }
 }
