@@ -74,6 +74,7 @@ impl World {
                 positions: &m.positions,
                 triangles: &m.triangles,
                 one_sided,
+                screened: &[],
             })
             .collect();
         let placements: Vec<Placement> =
