@@ -3,27 +3,32 @@
 
 mod facet;
 mod finish;
+mod relief;
 mod surface;
 
 pub use facet::{Facet, Facets};
-pub use finish::Finish;
+pub use finish::{Coat, Finish};
 pub use surface::Surface;
 
 use crate::color::Rgb;
-use crate::geometry::{Hit, MeshGeometry, Placement, Ray, SurfacePoint, Tracer};
+use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
 use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle};
-use crate::material::Sides;
-use crate::scene::Scene;
+use crate::material::{Coverage, Sides};
+use crate::scene::{Mesh, Scene};
 use crate::sequence;
 use glam::Vec3;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// The least share of a two-sided emitter's particles that its worse side keeps: never 0, or its light were lost.
 const LEAST_SIDE: f32 = 0.05;
 
+/// Seed of the screens of half-there surfaces.
+const SCREEN: u32 = 0x5c4e_e111;
+
 /// A scene ready for light.
 pub struct World {
-    scene: Scene,
+    scene: Arc<Scene>,
     tracer: Tracer,
     facets: Facets,
     finishes: Vec<Finish>,
@@ -62,29 +67,34 @@ pub struct Glow {
 impl World {
     /// Builds hierarchy and emitters.
     pub fn new(scene: Scene) -> World {
-        let one_sided = |m: &crate::scene::Mesh| -> Vec<bool> {
+        let scene = Arc::new(scene);
+        let one_sided = |m: &Mesh| -> Vec<bool> {
             m.materials.iter().map(|k| scene.materials[*k as usize].sides == Sides::FrontOnly).collect()
         };
         let one_sided: Vec<Vec<bool>> = scene.meshes.iter().map(one_sided).collect();
-        let meshes: Vec<MeshGeometry<'_>> = scene
-            .meshes
-            .iter()
-            .zip(&one_sided)
-            .map(|(m, one_sided)| MeshGeometry {
+        let screened: Vec<Vec<bool>> = scene.meshes.iter().map(|m| screened(&scene, m)).collect();
+        let meshes: Vec<MeshGeometry<'_>> = (scene.meshes.iter().zip(&one_sided).zip(&screened))
+            .map(|((m, one_sided), screened)| MeshGeometry {
                 positions: &m.positions,
                 triangles: &m.triangles,
                 one_sided,
-                screened: &[],
+                screened,
             })
             .collect();
         let placements: Vec<Placement> =
             scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
-        let tracer = Tracer::build(&meshes, &placements);
-        let finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
+        let with_holes = scene.clone();
+        let screen =
+            Screen::new(move |instance, triangle, u, v| is_hole(&with_holes, instance, triangle, u, v));
+        let tracer = Tracer::with_screen(&meshes, &placements, &screen);
+        let mut finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
+        for mesh in scene.meshes.iter().filter(|m| !m.colors.is_empty()) {
+            mesh.materials.iter().for_each(|k| finishes[*k as usize].painted = true);
+        }
         let mut world = World {
             tracer,
             facets: Facets::new(&scene),
-            sharp: finishes.iter().any(|f| !f.sharp.is_black()),
+            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &scene)),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
@@ -183,6 +193,11 @@ impl World {
         let side = if front { 1.0 } else { -1.0 };
         let shading = self.facets.shading_normal(facet, hit.u, hit.v);
         let point = SurfacePoint::new(&facet.corners, hit.u, hit.v);
+        let (finish, shading) = if finish.painted {
+            self.painted(hit, facet, finish, shading)
+        } else {
+            (Coat::Plain(finish), shading)
+        };
         Surface {
             position: point.position,
             error: point.error,
@@ -192,8 +207,29 @@ impl World {
             finish,
             front,
             instance: hit.instance,
+            triangle: hit.triangle,
             material: facet.material,
         }
+    }
+
+    /// What textures and vertex colours make of a hit's finish and of its shading normal on the front side.
+    #[inline(never)]
+    fn painted<'w>(
+        &'w self,
+        hit: &Hit,
+        facet: &Facet,
+        finish: &'w Finish,
+        shading: Vec3,
+    ) -> (Coat<'w>, Vec3) {
+        let material = &self.scene.materials[facet.material as usize];
+        let Some(spot) = self.scene.spot(hit.instance, hit.triangle, hit.u, hit.v) else {
+            return (Coat::Plain(finish), shading);
+        };
+        let bent = material.maps.normal.as_ref().map_or(shading, |map| {
+            let transform = &self.scene.instances[hit.instance as usize].transform;
+            relief::bent(&spot, map, transform, &facet.corners, facet.normal, shading)
+        });
+        (Coat::Own(finish.at(material, &spot)), bent)
     }
 
     /// True where nothing blocks the way from `from` to a light.
@@ -242,7 +278,9 @@ impl World {
     fn measure_surfaces(&mut self) {
         let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (mut area, mut reflected) = (0.0_f64, 0.0_f64);
-        for (_, facet) in self.facets.iter() {
+        let albedo = |(f, m): (&Finish, _)| f.mean_albedo(m, &self.scene);
+        let albedos: Vec<f32> = self.finishes.iter().zip(&self.scene.materials).map(albedo).collect();
+        for (_, _, facet) in self.facets.iter() {
             let [a, b, c] = facet.corners;
             let a2 = f64::from((b - a).cross(c - a).length());
             if !a2.is_finite() {
@@ -251,10 +289,8 @@ impl World {
             for p in [a, b, c] {
                 (lo, hi) = (lo.min(p), hi.max(p));
             }
-            let finish = &self.finishes[facet.material as usize];
-            let rho = finish.sharp + finish.dull;
             area += 0.5 * a2;
-            reflected += 0.5 * a2 * f64::from(rho.luminance().clamp(0.0, 1.0));
+            reflected += 0.5 * a2 * f64::from(albedos[facet.material as usize]);
         }
         for light in self.scene.lights.iter().filter(|l| l.is_sound()) {
             if let Some((p, r)) = light.extent() {
@@ -277,7 +313,7 @@ impl World {
         // Grouped in order of first appearance: emitters are numbered by the scene alone.
         let mut order: Vec<(u32, u32)> = Vec::new();
         let mut groups: HashMap<(u32, u32), Vec<GlowingTriangle>> = HashMap::new();
-        for (instance, facet) in self.facets.iter() {
+        for (instance, _, facet) in self.facets.iter() {
             if self.finishes[facet.material as usize].emission.is_black() || facet.normal == Vec3::ZERO {
                 continue;
             }
@@ -344,4 +380,26 @@ impl World {
         };
         (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
     }
+}
+
+/// Which triangles of a mesh may have holes.
+fn screened(scene: &Scene, mesh: &Mesh) -> Vec<bool> {
+    if mesh.materials.iter().all(|k| scene.materials[*k as usize].coverage == Coverage::Full) {
+        return Vec::new();
+    }
+    let mut known = HashMap::new();
+    let holes = |k: &u32| {
+        *known.entry(*k).or_insert_with(|| scene.materials[*k as usize].may_have_holes(scene, mesh))
+    };
+    mesh.materials.iter().map(holes).collect()
+}
+
+/// Does light pass through a hit of a surface that is not all there? What is there in part is a screen of holes finer
+/// than any ray: the bits of a hit say by their hash whether it met one.
+fn is_hole(scene: &Scene, instance: u32, triangle: u32, u: f32, v: f32) -> bool {
+    let Some(spot) = scene.spot(instance, triangle, u, v) else { return false };
+    let Some(material) = spot.mesh.materials.get(triangle as usize) else { return false };
+    let coverage = spot.coverage(&scene.materials[*material as usize]);
+    let place = [instance, triangle, u.to_bits(), v.to_bits()].into_iter().fold(SCREEN, sequence::hash);
+    coverage <= sequence::unit_f32(place)
 }

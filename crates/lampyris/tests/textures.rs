@@ -91,11 +91,11 @@ fn no_place_is_outside() {
 #[test]
 fn figures_of_a_whole_picture() {
     let image = image();
-    assert!((image.mean(Encoding::Linear)[0] - 7.0).abs() < 1e-6 && image.least(2) == 1.0);
+    assert!((image.mean(Encoding::Linear)[0] - 7.0).abs() < 1e-6 && image.least(Encoding::Linear, 2) == 1.0);
     // Columns of black and white, far more than are looked at.
     let (width, height) = (2048, 1024);
     let pixels = (0..width * height).map(|k| if k % 2 == 0 { [0; 4] } else { [255; 4] }).collect();
     let columns = Image { name: String::new(), width, height, pixels: Pixels::Byte(pixels) };
-    assert!((columns.mean(Encoding::Srgb)[1] - 0.5).abs() < 0.01 && columns.least(3) == 0.0);
+    assert!((columns.mean(Encoding::Srgb)[1] - 0.5).abs() < 0.01 && columns.least(Encoding::Srgb, 3) == 0.0);
     assert!(columns.is_sound() && !Image { height: 5, ..columns }.is_sound());
 }

@@ -50,11 +50,13 @@ impl Image {
         sum.map(|s| (s / n) as f32)
     }
 
-    /// The least value of a channel (0 red … 3 alpha) in the whole image, taken as numbers: a bound for every look-up.
-    pub fn least(&self, channel: usize) -> f32 {
+    /// The least value of a channel (0 red … 3 alpha) in the whole image: a bound for every look-up.
+    pub fn least(&self, encoding: Encoding, channel: usize) -> f32 {
         match &self.pixels {
             Pixels::Byte(p) => {
-                f32::from(p.iter().map(|p| p[channel]).min().unwrap_or_default()) * (1.0 / 255.0)
+                let least = p.iter().map(|p| p[channel]).min().unwrap_or_default();
+                let coded = encoding == Encoding::Srgb && channel < 3;
+                if coded { srgb::linear(least) } else { f32::from(least) * (1.0 / 255.0) }
             }
             Pixels::Float(_) if channel == 3 => 1.0,
             Pixels::Float(p) => p.iter().map(|p| p[channel]).fold(f32::INFINITY, f32::min),

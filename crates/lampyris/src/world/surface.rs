@@ -4,7 +4,7 @@
 //! and of the geometric normal; which side `wo` is on, the geometric normal alone decides.
 //! The receiver's cosine is the shading normal's, the emitting side's cosine the geometric one.
 
-use super::finish::{Finish, WHITE};
+use super::finish::{Coat, WHITE};
 use crate::color::Rgb;
 use crate::geometry::{Frame, SurfacePoint};
 use crate::material::{Class, Scatter, Transport};
@@ -24,11 +24,13 @@ pub struct Surface<'w> {
     /// Unit direction back along the ray that met the surface.
     pub wo: Vec3,
     /// Material.
-    pub finish: &'w Finish,
+    pub finish: Coat<'w>,
     /// True if `wo` is on the front side.
     pub front: bool,
     /// Which instance of the scene.
     pub instance: u32,
+    /// Which triangle of its mesh.
+    pub triangle: u32,
     /// Which material of the scene.
     pub material: u32,
 }
@@ -42,9 +44,10 @@ impl<'w> Surface<'w> {
             shading: normal,
             wo: normal,
             error: Vec3::ZERO,
-            finish: &WHITE,
+            finish: Coat::Plain(&WHITE),
             front: true,
             instance: u32::MAX,
+            triangle: u32::MAX,
             material: u32::MAX,
         }
     }

@@ -96,8 +96,9 @@ fn walks_agree_with_brute_force() {
                 let mut best = Best::none(f32::INFINITY);
                 for block in &tree.blocks {
                     for k in 0..WIDTH {
-                        block.offer(k, &line, &mut best);
-                        stopped |= u16::from(block.blocks(k, &line, End::Point(lane(i)))) << i;
+                        block.offer(k, &line, &Screen::default(), &mut best);
+                        stopped |=
+                            u16::from(block.blocks(k, &line, End::Point(lane(i)), &Screen::default())) << i;
                     }
                 }
                 expected[i] = best.hit();
