@@ -174,6 +174,12 @@ pub(crate) struct SceneArgs {
     /// Facets around a full circle of curved shapes, a multiple of 4 [default: 20]
     #[arg(long, value_name = "N")]
     pub(crate) circle: Option<u32>,
+    /// Picture around the scene, by longitude and latitude, .hdr or .exr; overhead is its upper edge
+    #[arg(long, value_name = "FILE")]
+    pub(crate) environment: Option<PathBuf>,
+    /// Luminance of 1 in that picture [cd/m²]
+    #[arg(long, value_name = "X", default_value_t = 1.0, requires = "environment", value_parser = parse::positive)]
+    pub(crate) environment_scale: f32,
     #[command(flatten)]
     pub(crate) limits: LimitArgs,
 }

@@ -12,7 +12,7 @@ pub use surface::Surface;
 
 use crate::color::Rgb;
 use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
-use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle};
+use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle, Sky};
 use crate::material::{Coverage, Sides};
 use crate::scene::{Mesh, Scene};
 use crate::sequence;
@@ -112,9 +112,9 @@ impl World {
         let lit = |e: &Emitter| e.area() > 0.0 && matches!(e, Emitter::Lamp(_));
         world.lamps = (0..).zip(&world.emitters).filter(|(_, e)| lit(e)).map(|(k, _)| k).collect();
         world.gather_emissive_sides();
-        if !world.scene.environment.is_black() {
+        if let Some(around) = environment(&world.scene) {
             world.environment = Some(world.emitters.len() as u32);
-            world.emitters.push(Emitter::Environment { radiance: world.scene.environment });
+            world.emitters.push(around);
         }
         world.glow_boxes = world.emitters.iter().filter_map(Emitter::extent).collect();
         world.share_out();
@@ -250,7 +250,8 @@ impl World {
         let Some(k) = self.emitter_of(surface) else { return 0.0 };
         let distance = (surface.position - x).length();
         let cosine = surface.normal.dot(surface.wo).abs();
-        self.shares[k as usize] * self.emitters[k as usize].pdf(x, distance, cosine)
+        let Emitter::Side(side) = &self.emitters[k as usize] else { return 0.0 };
+        self.shares[k as usize] * (distance * distance / (cosine * side.area_around(surface.triangle)))
     }
 
     /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
@@ -263,8 +264,8 @@ impl World {
             }
         }
         if let (Some(k), true) = (self.environment, t_max == f32::INFINITY) {
-            let pdf = self.shares[k as usize] * self.emitters[k as usize].pdf(origin, t_max, 1.0);
-            let radiance = self.scene.environment;
+            let (radiance, pdf) = self.emitters[k as usize].around(direction);
+            let pdf = self.shares[k as usize] * pdf;
             see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
         }
     }
@@ -312,34 +313,31 @@ impl World {
     fn gather_emissive_sides(&mut self) {
         // Grouped in order of first appearance: emitters are numbered by the scene alone.
         let mut order: Vec<(u32, u32)> = Vec::new();
-        let mut groups: HashMap<(u32, u32), Vec<GlowingTriangle>> = HashMap::new();
-        for (instance, _, facet) in self.facets.iter() {
+        let mut groups: HashMap<(u32, u32), (Vec<GlowingTriangle>, Vec<u32>)> = HashMap::new();
+        for (instance, triangle, facet) in self.facets.iter() {
             if self.finishes[facet.material as usize].emission.is_black() || facet.normal == Vec3::ZERO {
                 continue;
             }
             let key = (instance, facet.material);
-            groups
-                .entry(key)
-                .or_insert_with(|| {
-                    order.push(key);
-                    Vec::new()
-                })
-                .push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
+            let (triangles, numbers) = groups.entry(key).or_insert_with(|| {
+                order.push(key);
+                Default::default()
+            });
+            triangles.push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
+            numbers.push(triangle);
         }
         for key in order {
-            let finish = &self.finishes[key.1 as usize];
-            let front = groups.remove(&key).unwrap_or_default();
-            let (radiance, both) = (finish.emission, finish.both_sides_glow);
+            let (front, numbers) = groups.remove(&key).unwrap_or_default();
+            let both = self.finishes[key.1 as usize].both_sides_glow;
             let back =
                 front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
-            let mut number = |side: Option<EmissiveSide>| {
+            let sides = [front, back].map(|triangles| emissive_side(&self.scene, key, triangles, &numbers));
+            let numbers = sides.map(|side| {
                 side.map(|side| {
                     self.emitters.push(Emitter::Side(side));
                     self.emitters.len() as u32 - 1
                 })
-            };
-            let numbers =
-                [number(EmissiveSide::new(radiance, front)), number(EmissiveSide::new(radiance, back))];
+            });
             self.sides.insert(key, numbers);
         }
     }
@@ -347,7 +345,7 @@ impl World {
     /// Shares by power; the two sides of one surface split theirs by what a pilot finds before each of them.
     fn share_out(&mut self) {
         let mut weights: Vec<f64> =
-            self.emitters.iter().map(|e| f64::from(e.power(self.bounds).luminance().max(0.0))).collect();
+            self.emitters.iter().map(|e| f64::from(e.importance(self.bounds))).collect();
         for sides in self.sides.values() {
             if let [Some(front), Some(back)] = *sides {
                 let (f, b) = (self.openness(front), self.openness(back));
@@ -402,4 +400,37 @@ fn is_hole(scene: &Scene, instance: u32, triangle: u32, u: f32, v: f32) -> bool 
     let coverage = spot.coverage(&scene.materials[*material as usize]);
     let place = [instance, triangle, u.to_bits(), v.to_bits()].into_iter().fold(SCREEN, sequence::hash);
     coverage <= sequence::unit_f32(place)
+}
+
+/// One side of the triangles of an instance and material, by their numbers in the mesh.
+fn emissive_side(
+    scene: &Arc<Scene>,
+    (instance, material): (u32, u32),
+    triangles: Vec<GlowingTriangle>,
+    numbers: &[u32],
+) -> Option<EmissiveSide> {
+    let m = &scene.materials[material as usize];
+    if m.maps.emission.is_none() && m.coverage == Coverage::Full {
+        return EmissiveSide::new(m.emission, triangles);
+    }
+    let numbers = numbers[..triangles.len()].to_vec();
+    let means: Vec<Rgb> = numbers.iter().map(|k| scene.mean_emission(instance, *k, m)).collect();
+    let scene = scene.clone();
+    EmissiveSide::painted(triangles, numbers, &means, m.emission.luminance(), move |triangle, u, v| {
+        let spot = scene.spot(instance, triangle, u, v);
+        spot.map_or(Rgb::BLACK, |spot| spot.emission(&scene.materials[material as usize]))
+    })
+}
+
+/// What surrounds a scene.
+fn environment(scene: &Scene) -> Option<Emitter> {
+    let radiance = scene.environment;
+    match scene.environment_image.and_then(|k| scene.images.get(k as usize)) {
+        _ if radiance.is_black() => None,
+        None => Some(Emitter::Environment { radiance }),
+        Some(picture) => {
+            let up = scene.up.and_then(|up| up.try_normalize()).unwrap_or(Vec3::Y);
+            Sky::new(picture, radiance, up).map(|sky| Emitter::Sky(Arc::new(sky)))
+        }
+    }
 }

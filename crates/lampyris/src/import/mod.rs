@@ -7,6 +7,8 @@ mod report;
 
 use crate::error::{Error, Result};
 use crate::scene::Scene;
+use crate::texture::Image;
+use image::{Gate, Refusal};
 use std::path::{Path, PathBuf};
 
 /// A scene, and what was odd about its file.
@@ -87,6 +89,24 @@ pub struct Format {
 /// Every format that can be read.
 pub const FORMATS: &[Format] =
     &[Format { extensions: &["mgf"], name: "Materials and Geometry Format", load: mgf::load }];
+
+/// Reads a picture that no scene names, as an environment.
+///
+/// # Errors
+/// [`Error::CannotRead`] for what is no picture, [`Error::OverLimit`] for one that is too large.
+pub fn picture(path: &Path, options: &Options) -> Result<Image> {
+    let (root, file) = files::Root::new(path, &Options { root: None, ..options.clone() })?;
+    let bytes = root.read(&file)?;
+    let refused = |refusal| match refusal {
+        Refusal::Unreadable(reason) => Error::CannotRead { file: path.into(), reason },
+        Refusal::OverLimit { what, limit, option } => {
+            Error::OverLimit { file: path.into(), place: "0".into(), what, limit, option }
+        }
+    };
+    let admitted = Gate::new(options.limits).admit(&bytes).map_err(refused)?;
+    let name = path.file_name().map(|n| n.to_string_lossy()).unwrap_or_default();
+    admitted.decode(&name).map_err(|reason| Error::CannotRead { file: path.into(), reason })
+}
 
 /// Loads a scene file by its extension.
 pub fn load(path: &Path, options: &Options) -> Result<Loaded> {

@@ -34,8 +34,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Radiance of the environment [cd/m²]; black for none. It multiplies `environment_image`, where there is one.
     pub environment: Rgb,
-    /// Which of the images surrounds the scene: a map of longitude and latitude, its upper edge overhead (+y), its middle
-    /// column at −z and its right quarter at +x, as seen from within.
+    /// Which of the images surrounds the scene: a map of longitude and latitude, its upper edge along `up`, or +y where
+    /// that is not stated. Then its middle lies at −z and its right quarter at +x. Bytes are sRGB.
     pub environment_image: Option<u32>,
     /// Pictures that textures and environment are made of.
     pub images: Vec<Image>,

@@ -18,7 +18,7 @@ impl Image {
     }
 
     /// One pixel: linear red, green, blue and alpha.
-    fn pixel(&self, encoding: Encoding, k: usize) -> [f32; 4] {
+    pub(crate) fn pixel(&self, encoding: Encoding, k: usize) -> [f32; 4] {
         match &self.pixels {
             Pixels::Float(p) => {
                 let [r, g, b] = p[k];
