@@ -195,7 +195,7 @@ fn a_panel_glows_where_its_picture_does() {
 /// Floor, block and panel with holes under a picture with a sun: the parts add up to the path tracer.
 #[test]
 fn parts_add_up_under_pictures() {
-    const SEEDS: u32 = 12;
+    const SEEDS: u32 = 32;
     let mut b = Build::default();
     let ground = b.grey(0.5);
     let shiny = b.material(support::gloss(0.2, 0.4, 0.1), 0.0, lampyris::material::Sides::Both);
