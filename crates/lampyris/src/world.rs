@@ -14,7 +14,7 @@ use crate::color::Rgb;
 use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
 use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle, Sky};
 use crate::material::{Coverage, Sides};
-use crate::scene::{Mesh, Scene};
+use crate::scene::{Least, Mesh, Scene};
 use crate::sequence;
 use glam::Vec3;
 use std::collections::HashMap;
@@ -72,7 +72,8 @@ impl World {
             m.materials.iter().map(|k| scene.materials[*k as usize].sides == Sides::FrontOnly).collect()
         };
         let one_sided: Vec<Vec<bool>> = scene.meshes.iter().map(one_sided).collect();
-        let screened: Vec<Vec<bool>> = scene.meshes.iter().map(|m| screened(&scene, m)).collect();
+        let mut least = Least::new(&scene);
+        let screened: Vec<Vec<bool>> = scene.meshes.iter().map(|m| screened(&scene, m, &mut least)).collect();
         let meshes: Vec<MeshGeometry<'_>> = (scene.meshes.iter().zip(&one_sided).zip(&screened))
             .map(|((m, one_sided), screened)| MeshGeometry {
                 positions: &m.positions,
@@ -94,7 +95,7 @@ impl World {
         let mut world = World {
             tracer,
             facets: Facets::new(&scene),
-            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &scene)),
+            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &mut least)),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
@@ -381,15 +382,16 @@ impl World {
 }
 
 /// Which triangles of a mesh may have holes.
-fn screened(scene: &Scene, mesh: &Mesh) -> Vec<bool> {
+fn screened(scene: &Scene, mesh: &Mesh, least: &mut Least<'_>) -> Vec<bool> {
     if mesh.materials.iter().all(|k| scene.materials[*k as usize].coverage == Coverage::Full) {
         return Vec::new();
     }
     let mut known = HashMap::new();
-    let holes = |k: &u32| {
-        *known.entry(*k).or_insert_with(|| scene.materials[*k as usize].may_have_holes(scene, mesh))
+    let mut holes = |k: &u32| {
+        let material = &scene.materials[*k as usize];
+        *known.entry(*k).or_insert_with(|| least.may_have_holes(material, mesh))
     };
-    mesh.materials.iter().map(holes).collect()
+    mesh.materials.iter().map(&mut holes).collect()
 }
 
 /// Does light pass through a hit of a surface that is not all there? What is there in part is a screen of holes finer

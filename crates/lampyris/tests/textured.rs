@@ -30,7 +30,7 @@ fn painted(b: &mut Build, corner: Vec3, along: Vec3, down: Vec3, material: u32) 
 }
 
 fn checkers(n: u32) -> Vec<[u8; 4]> {
-    (0..n * n).map(|k| if (k % n + k / n) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] }).collect()
+    (0..n * n).map(|k| if (k % n + k / n).is_multiple_of(2) { [255; 4] } else { [0, 0, 0, 255] }).collect()
 }
 
 /// The world's surface where a ray downward from above meets it.

@@ -8,7 +8,7 @@ mod upward;
 mod viewpoint;
 
 pub use camera::{Camera, View};
-pub(crate) use paint::Spot;
+pub(crate) use paint::{Least, Spot};
 pub use sight::Seen;
 pub use summary::Summary;
 pub use upward::upward;

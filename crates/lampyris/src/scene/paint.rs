@@ -8,6 +8,7 @@ use crate::sampling;
 use crate::sequence;
 use crate::texture::{Image, Texture};
 use glam::{Vec2, Vec3, Vec4};
+use std::collections::HashMap;
 
 /// Points of a triangle that its mean is taken over.
 const POINTS: u32 = 64;
@@ -121,22 +122,37 @@ impl<'s> Spot<'s> {
     }
 }
 
-impl Material {
-    /// False where a surface is certainly whole, whatever its textures say.
-    pub(crate) fn may_have_holes(&self, scene: &Scene, mesh: &Mesh) -> bool {
-        let least = |map: &Option<Map>, channel| {
-            let textured = map.as_ref().and_then(|m| scene.textured(m));
-            textured.map_or(1.0, |(texture, image)| image.least(texture.encoding, channel))
+/// The least values of maps, each image searched once: bounds for what a map may make of a factor.
+pub(crate) struct Least<'s> {
+    scene: &'s Scene,
+    known: HashMap<(u32, usize), f32>,
+}
+
+impl<'s> Least<'s> {
+    pub(crate) fn new(scene: &'s Scene) -> Least<'s> {
+        Least { scene, known: HashMap::new() }
+    }
+
+    /// Of one channel, not less than zero; one without a map.
+    pub(crate) fn of(&mut self, map: &Option<Map>, channel: usize) -> f32 {
+        let Some((map, (texture, image))) = map.as_ref().and_then(|m| Some((m, self.scene.textured(m)?)))
+        else {
+            return 1.0;
         };
-        let alpha = || {
-            let vertices = mesh.colors.iter().map(|c| c.w).fold(1.0, f32::min);
-            least(&self.maps.color, 3) * least(&self.maps.alpha, 0) * vertices
-        };
-        match self.coverage {
-            Coverage::Full => false,
+        let search = || image.least(texture.encoding, channel).max(0.0);
+        *self.known.entry((map.texture, channel)).or_insert_with(search)
+    }
+
+    /// False where a material's surface is certainly whole, whatever its textures say.
+    pub(crate) fn may_have_holes(&mut self, material: &Material, mesh: &Mesh) -> bool {
+        let (factor, enough) = match material.coverage {
+            Coverage::Full => return false,
             // Rounding of a look-up may lie a little below the least pixel.
-            Coverage::Mask { factor, cutoff } => factor * alpha() < cutoff * 1.000_01,
-            Coverage::Blend { factor } => factor * alpha() < 1.0,
-        }
+            Coverage::Mask { factor, cutoff } => (factor, cutoff * 1.000_01),
+            Coverage::Blend { factor } => (factor, 1.0),
+        };
+        let maps = &material.maps;
+        let vertices = mesh.colors.iter().map(|c| c.w).fold(1.0, f32::min);
+        factor * self.of(&maps.color, 3) * self.of(&maps.alpha, 0) * vertices < enough
     }
 }

@@ -2,8 +2,8 @@
 //! change it from place to place, once a hit.
 
 use crate::color::Rgb;
-use crate::material::{Bsdf, Class, Diffuse, Map, Material, Pbr, Sides};
-use crate::scene::{Scene, Spot};
+use crate::material::{Bsdf, Class, Dielectric, Diffuse, Material, Pbr, Sides, Ward};
+use crate::scene::{Least, Scene, Spot};
 use glam::Vec3;
 use std::ops::Deref;
 
@@ -121,15 +121,11 @@ impl Finish {
     }
 
     /// False only if no point of the material has sharp lobes: a map may polish what its factors leave rough.
-    pub(super) fn may_be_sharp(&self, material: &Material, scene: &Scene) -> bool {
+    pub(super) fn may_be_sharp(&self, material: &Material, least: &mut Least<'_>) -> bool {
         let Bsdf::Pbr(m) = self.bsdf else { return !self.sharp.is_black() };
-        let least = |map: &Option<Map>, channel| {
-            let textured = map.as_ref().and_then(|m| scene.textured(m));
-            textured.map_or(1.0, |(texture, image)| image.least(texture.encoding, channel).max(0.0))
-        };
-        let maps = &material.maps;
-        let roughness = m.roughness * least(&maps.roughness, 1);
-        [m.metallic, m.metallic * least(&maps.roughness, 2)].into_iter().any(|metallic| {
+        let map = &material.maps.roughness;
+        let roughness = m.roughness * least.of(map, 1);
+        [m.metallic, m.metallic * least.of(map, 2)].into_iter().any(|metallic| {
             let polished = Bsdf::Pbr(Pbr { roughness, metallic, ..m });
             !polished.albedo(Class::Sharp, Vec3::Z).is_black()
         })
@@ -153,10 +149,8 @@ fn tinted(bsdf: Bsdf, color: Rgb) -> Bsdf {
         |d: Diffuse| Diffuse { reflectance: d.reflectance * color, transmittance: d.transmittance * color };
     match bsdf {
         Bsdf::Diffuse(m) => Bsdf::Diffuse(dyed(m)),
-        Bsdf::Ward(m) => Bsdf::Ward(crate::material::Ward { base: dyed(m.base), ..m }),
-        Bsdf::Dielectric(m) => {
-            Bsdf::Dielectric(crate::material::Dielectric { transmittance: m.transmittance * color, ..m })
-        }
+        Bsdf::Ward(m) => Bsdf::Ward(Ward { base: dyed(m.base), ..m }),
+        Bsdf::Dielectric(m) => Bsdf::Dielectric(Dielectric { transmittance: m.transmittance * color, ..m }),
         Bsdf::Pbr(m) => Bsdf::Pbr(Pbr { base_color: m.base_color * color, ..m }),
     }
 }

@@ -11,7 +11,7 @@ pub(super) fn size(bytes: &[u8]) -> Result<Size, String> {
     }
     let (width, rest) = take(rest)?;
     let (height, _) = take(rest)?;
-    // Grey with alpha is held twice for a moment.
+    // Grey takes half as much again for a moment.
     Ok(Size { width: u32::from_be_bytes(width).into(), height: u32::from_be_bytes(height).into(), depth: 4 })
 }
 
