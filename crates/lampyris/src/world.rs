@@ -3,10 +3,12 @@
 
 mod facet;
 mod finish;
+mod mirrors;
 mod surface;
 
 pub use facet::{Facet, Facets};
 pub use finish::Finish;
+pub use mirrors::{Mirror, Mirrors};
 pub use surface::Surface;
 
 use crate::color::Rgb;
@@ -26,6 +28,7 @@ pub struct World {
     scene: Scene,
     tracer: Tracer,
     facets: Facets,
+    mirrors: Mirrors,
     finishes: Vec<Finish>,
     /// Any of the finishes has sharp lobes.
     sharp: bool,
@@ -80,9 +83,11 @@ impl World {
             scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
         let tracer = Tracer::build(&meshes, &placements);
         let finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
+        let facets = Facets::new(&scene);
         let mut world = World {
             tracer,
-            facets: Facets::new(&scene),
+            mirrors: Mirrors::find(&facets, &scene.materials),
+            facets,
             sharp: finishes.iter().any(|f| !f.sharp.is_black()),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
@@ -166,6 +171,11 @@ impl World {
         self.sharp
     }
 
+    /// Its planar mirrors.
+    pub fn mirrors(&self) -> &[Mirror] {
+        self.mirrors.all()
+    }
+
     /// The first surface on a ray of unit direction.
     pub fn closest(&self, ray: &Ray) -> Option<Surface<'_>> {
         self.tracer.closest(ray).map(|hit| self.surface(ray.direction, &hit))
@@ -192,6 +202,7 @@ impl World {
             front,
             instance: hit.instance,
             material: facet.material,
+            mirror: self.mirrors.of(hit.instance, hit.triangle),
         }
     }
 

@@ -166,6 +166,15 @@ impl Bsdf {
         }
     }
 
+    /// Share of the light that the delta lobe of an opaque mirror reflects, met at an angle of this cosine from either
+    /// side; black without such a lobe. Glass does not count: most of its light is on the other side.
+    pub fn mirror_reflectance(&self, _cosine: f32) -> Rgb {
+        match self {
+            Bsdf::Ward(m) => m.mirror_reflectance(),
+            Bsdf::Diffuse(_) | Bsdf::Pbr(_) | Bsdf::Dielectric(_) => Rgb::BLACK,
+        }
+    }
+
     /// The reflectance of the dull class if it is a pure Lambertian reflector: the gather then needs no `eval`.
     pub fn lambertian(&self) -> Option<Rgb> {
         match self {

@@ -16,6 +16,13 @@ pub struct Facet {
     smooth: u32,
 }
 
+impl Facet {
+    /// True where the shading normal is the geometric one.
+    pub fn is_flat(&self) -> bool {
+        self.smooth == u32::MAX
+    }
+}
+
 /// All facets of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Facets {

@@ -31,6 +31,8 @@ pub struct Surface<'w> {
     pub instance: u32,
     /// Which material of the scene.
     pub material: u32,
+    /// Which planar mirror of the world it lies in.
+    pub mirror: Option<u8>,
 }
 
 impl<'w> Surface<'w> {
@@ -46,6 +48,7 @@ impl<'w> Surface<'w> {
             front: true,
             instance: u32::MAX,
             material: u32::MAX,
+            mirror: None,
         }
     }
 
