@@ -166,7 +166,7 @@ impl World {
         self.glow_boxes.len() > MANY || self.glow_boxes.iter().any(near)
     }
 
-    /// True if any surface has sharp lobes: without them there are no caustics.
+    /// True if any surface has sharp lobes: without them there are no caustics and no mirrors.
     pub fn has_sharp_surfaces(&self) -> bool {
         self.sharp
     }

@@ -1,7 +1,8 @@
 //! The oracle: a plain path tracer with next-event estimation and multiple importance sampling [Veach 1997].
 //!
 //! It sorts every contribution by the same partition as the fast parts, so that each of them has its own truth.
-//! It covers every path but caustics of point, spot and directional lights, which no path from the eye can find.
+//! It covers every path but point, spot and directional lights over sharp vertices before x, even over a planar mirror:
+//! no path from the eye can find them.
 
 use super::{Integrator, Pass};
 use crate::color::Rgb;

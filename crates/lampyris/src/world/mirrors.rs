@@ -1,4 +1,4 @@
-//! Planar mirrors: flat facets that reflect like a looking-glass, the same everywhere, plane by plane.
+//! Planar mirrors: flat facets that reflect like a looking-glass, plane by plane.
 //!
 //! Before such a mirror each light has one image, whatever looks at it: the virtual light sources of [Keller97, §4.2].
 //! Which facets belong to a mirror the scene alone decides, so that all who gather images or sort paths agree. Curved
@@ -18,8 +18,8 @@ const MOST: usize = 8;
 /// Planes among which facets are sorted; the facets of others are too small to make a mirror.
 const PLANES: usize = 32;
 
-/// A mirror has at least this share of the flat mirroring area of its instance and material: all faces of a cube do,
-/// and no facet of a ball.
+/// A mirror has at least this share of the flat mirroring area of its instance: all faces of a cube do, and no facet
+/// of a ball.
 const LEAST_SHARE: f64 = 1.0 / 12.0;
 
 /// Distance within which a point lies in a mirror's plane, in its largest coordinate. Rays leave surfaces at up to
@@ -29,8 +29,7 @@ const MARGIN: f32 = 1e-5;
 /// Cosine between the normals of facets of one plane.
 const PARALLEL: f32 = 0.999_999;
 
-/// Flat facets in one plane, of one instance and material. It mirrors on both sides of the plane where the material
-/// does.
+/// Flat facets in one plane, of one instance. It mirrors on both sides of the plane where their materials do.
 #[derive(Clone, Debug)]
 pub struct Mirror {
     /// A corner, where distances from the plane are counted from [m, world].
@@ -54,7 +53,7 @@ pub struct Mirrors {
 
 /// Facets of a plane while they are collected.
 struct Plane {
-    key: (u32, u32),
+    instance: u32,
     area: f64,
     mirror: Mirror,
     facets: Vec<(u32, u32)>,
@@ -143,14 +142,14 @@ impl Mirrors {
             return Mirrors::default();
         }
         let mut flat = Vec::new();
-        let mut totals: HashMap<(u32, u32), f64> = HashMap::new();
+        let mut totals: HashMap<u32, f64> = HashMap::new();
         let mut place = (u32::MAX, 0);
         for (instance, facet) in facets.iter() {
             place = if place.0 == instance { (instance, place.1 + 1) } else { (instance, 0) };
             let [a, b, c] = facet.corners;
             let area = 0.5 * f64::from((b - a).cross(c - a).length());
             if able[facet.material as usize] && facet.is_flat() && area > 0.0 && area.is_finite() {
-                *totals.entry((instance, facet.material)).or_default() += area;
+                *totals.entry(instance).or_default() += area;
                 flat.push((area, place));
             }
         }
@@ -159,18 +158,18 @@ impl Mirrors {
         let mut planes: Vec<Plane> = Vec::new();
         for (area, place) in flat {
             let facet = facets.get(place.0, place.1);
-            let key = (place.0, facet.material);
-            let same = |p: &&mut Plane| p.key == key && p.mirror.contains(&facet.corners, facet.normal);
+            let same =
+                |p: &&mut Plane| p.instance == place.0 && p.mirror.contains(&facet.corners, facet.normal);
             if let Some(plane) = planes.iter_mut().find(same) {
                 plane.mirror.grow(&facet.corners);
                 plane.area += area;
                 plane.facets.push(place);
             } else if planes.len() < PLANES {
                 let mirror = Mirror::new(&facet.corners, facet.normal);
-                planes.push(Plane { key, area, mirror, facets: vec![place] });
+                planes.push(Plane { instance: place.0, area, mirror, facets: vec![place] });
             }
         }
-        planes.retain(|p| p.area >= LEAST_SHARE * totals[&p.key]);
+        planes.retain(|p| p.area >= LEAST_SHARE * totals[&p.instance]);
         planes.sort_by(|a, b| b.area.total_cmp(&a.area));
         planes.truncate(MOST);
         let mut found = Mirrors::default();
