@@ -14,10 +14,13 @@ use crate::geometry::Ray;
 use crate::light::Shine;
 use crate::material::Class;
 use crate::particle::Vpl;
-use crate::sequence::ledger::eye as ledger;
+use crate::sequence::{self, ledger::eye as ledger};
 use crate::settings::Rays;
 use crate::world::{Mirror as Plane, Surface, World};
 use glam::Vec3;
+
+/// Mirrors that reflect less make their images by chance, in proportion: a window pane costs less than a looking-glass.
+const SURE: f32 = 0.25;
 
 /// Paths L (S|D)* D M D S* E and L M D S* E.
 pub(super) struct Mirror;
@@ -37,7 +40,12 @@ impl Integrator for Mirror {
             return;
         }
         let lights = pass.lights.iter().chain(pass.vpls);
-        let images: Vec<Image<'w>> = lights.flat_map(|light| Image::all(world, light)).collect();
+        let seed = sequence::hash(pass.sampling.seed, b'm'.into());
+        let images: Vec<Image<'w>> = lights
+            .flat_map(|light| Image::all(world, light))
+            .zip(0..)
+            .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
+            .collect();
         for p in tile.packets.iter().filter(|p| p.live != 0) {
             let radiance = packet(world, p, &images, &mut rays.shadow);
             for k in p.lanes() {
@@ -92,6 +100,8 @@ struct Image<'w> {
     /// The mirror and its number.
     plane: &'w Plane,
     number: u8,
+    /// 1 over the probability that there is this image.
+    weight: f32,
 }
 
 impl<'w> Image<'w> {
@@ -105,7 +115,7 @@ impl<'w> Image<'w> {
         let y = source.position;
         if let Shine::Distant = source.shine {
             let image = Vpl { position: plane.turned(y), ..*source };
-            return Some(Image { source, image, plane, number });
+            return Some(Image { source, image, plane, number, weight: 1.0 });
         }
         plane.height(y)?;
         let shine = match source.shine {
@@ -115,7 +125,13 @@ impl<'w> Image<'w> {
             other => other,
         };
         let image = Vpl { position: plane.image(y), shine, ..*source };
-        Some(Image { source, image, plane, number })
+        Some(Image { source, image, plane, number, weight: 1.0 })
+    }
+
+    /// The image if `u` in [0, 1) decides for it.
+    fn drawn(self, u: f32) -> Option<Image<'w>> {
+        let probability = (self.plane.strength() / SURE).min(1.0);
+        (u < probability).then(|| Image { weight: 1.0 / probability, ..self })
     }
 
     /// False only if the pyramid of the image through the mirror does not hold `x`.
@@ -148,7 +164,10 @@ impl<'w> Image<'w> {
     fn reflected(&self, x: &Surface<'_>, g: f32) -> Rgb {
         let wi = gather::direction(&self.image, x.position);
         let f = x.eval(Class::Dull, x.wo, wi);
-        if f.is_black() { Rgb::BLACK } else { f * gather::intensity(self.source, self.plane.turned(wi)) * g }
+        if f.is_black() {
+            return Rgb::BLACK;
+        }
+        f * gather::intensity(self.source, self.plane.turned(wi)) * (g * self.weight)
     }
 
     /// What the mirror reflects of the light on its way to `from`, which is off its surface; black where the way is

@@ -41,6 +41,7 @@ pub struct Mirror {
     /// The box around them.
     extent: [Vec3; 2],
     margin: f32,
+    strength: f32,
 }
 
 /// All planar mirrors of a scene, the largest first.
@@ -67,6 +68,7 @@ impl Mirror {
             rectangle: [Vec2::INFINITY, Vec2::NEG_INFINITY],
             extent: [Vec3::INFINITY, Vec3::NEG_INFINITY],
             margin: 0.0,
+            strength: 0.0,
         };
         mirror.grow(corners);
         mirror
@@ -103,9 +105,9 @@ impl Mirror {
         d - self.frame.n * (2.0 * self.frame.n.dot(d))
     }
 
-    /// Unit normal of the plane.
-    pub fn normal(&self) -> Vec3 {
-        self.frame.n
+    /// The most that any of its facets reflects at normal incidence, in any channel.
+    pub fn strength(&self) -> f32 {
+        self.strength
     }
 
     /// Whether a line through the point `p`, off the plane, that goes along `d` from there, crosses the plane within
@@ -137,8 +139,8 @@ impl Mirror {
 impl Mirrors {
     /// Those among the facets; `materials` are the scene's.
     pub fn find(facets: &Facets, materials: &[Material]) -> Mirrors {
-        let able: Vec<bool> = materials.iter().map(is_looking_glass).collect();
-        if !able.contains(&true) {
+        let reflects: Vec<f32> = materials.iter().map(reflectance).collect();
+        if reflects.iter().all(|r| *r <= 0.0) {
             return Mirrors::default();
         }
         let mut flat = Vec::new();
@@ -148,7 +150,7 @@ impl Mirrors {
             place = if place.0 == instance { (instance, place.1 + 1) } else { (instance, 0) };
             let [a, b, c] = facet.corners;
             let area = 0.5 * f64::from((b - a).cross(c - a).length());
-            if able[facet.material as usize] && facet.is_flat() && area > 0.0 && area.is_finite() {
+            if reflects[facet.material as usize] > 0.0 && facet.is_flat() && area > 0.0 && area.is_finite() {
                 *totals.entry(instance).or_default() += area;
                 flat.push((area, place));
             }
@@ -174,7 +176,11 @@ impl Mirrors {
         planes.truncate(MOST);
         let mut found = Mirrors::default();
         for (number, plane) in (0..).zip(planes) {
-            found.mirrors.push(plane.mirror);
+            let strengths = plane
+                .facets
+                .iter()
+                .map(|(i, triangle)| reflects[facets.get(*i, *triangle).material as usize]);
+            found.mirrors.push(Mirror { strength: strengths.fold(0.0, f32::max), ..plane.mirror });
             found.of.extend(plane.facets.into_iter().map(|place| (place, number)));
         }
         found
@@ -191,9 +197,10 @@ impl Mirrors {
     }
 }
 
-/// A delta lobe that reflects, the same at every point.
-fn is_looking_glass(m: &Material) -> bool {
-    !m.bsdf.mirror_reflectance(1.0).is_black() && m.coverage == Coverage::Full && m.maps == Maps::default()
+/// What the material reflects in a delta lobe, in its brightest channel; 0 where it is not the same everywhere.
+fn reflectance(m: &Material) -> f32 {
+    let even = m.coverage == Coverage::Full && m.maps == Maps::default();
+    if even { m.bsdf.mirror_reflectance(1.0).max_channel() } else { 0.0 }
 }
 
 impl Surface<'_> {
