@@ -182,7 +182,7 @@ fn facing_mirrors() {
 fn mirrors_glass_and_gloss() {
     let mut b = Build::default();
     let wall = b.grey(0.5);
-    let varnish = b.material(gloss(0.4, 0.3, 0.0), 0.0, Sides::Both);
+    let varnish = b.material(gloss(0.4, 0.2, 0.0), 0.0, Sides::Both);
     let mirror = b.material(gloss(0.0, 0.9, 0.0), 0.0, Sides::Both);
     let glossy = b.material(gloss(0.3, 0.3, 0.2), 0.0, Sides::Both);
     let polish = b.material(gloss(0.2, 0.5, 0.1), 0.0, Sides::Both);
