@@ -7,11 +7,13 @@ use glam::{Affine3A, Quat, Vec3};
 use lampyris::Rgb;
 use lampyris::backend::Settings;
 use lampyris::eye::Meter;
+use lampyris::import;
 use lampyris::light::{Beam, LightKind};
 use lampyris::material::{Bsdf, Coverage, Diffuse, Sides};
 use lampyris::testing::Moments;
 use lampyris::world::World;
 use std::f64::consts::PI;
+use std::path::Path;
 use support::{
     Build, FAST, close, close_mean, diffuse, glass, gloss, lux, meter, render, say, settings, view,
 };
@@ -272,6 +274,19 @@ fn what_is_a_mirror() {
         b.quad(Vec3::ZERO, Vec3::X, Vec3::Y, m);
     };
     assert_eq!(found(punched), 0, "a mirror with holes");
+}
+
+/// Of the shipped still life only the hand mirror: ring, ball and egg are curved. The office has a looking-glass and a
+/// window.
+#[test]
+fn mirrors_of_the_scenes_that_ship() {
+    for (name, expected) in [("ring", 1), ("office", 2), ("cornell", 0)] {
+        let file =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name).with_extension("mgf");
+        let loaded = import::load(&file, &import::Options::default()).expect("a scene that ships");
+        assert!(loaded.warnings.is_empty(), "{name}: {:?}", loaded.warnings);
+        assert_eq!(World::new(loaded.scene).mirrors().len(), expected, "{name}");
+    }
 }
 
 /// A lamp beside a mirror wall: images against paths from the eye that must find it, the same mean and far less
