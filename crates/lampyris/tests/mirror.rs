@@ -139,6 +139,20 @@ fn extended_lights_and_their_images() {
     close("sphere", lux(&b.0, &[at], &settings(FAST, 1 << 13, 4, 1), 4)[0], 10.0 * PI * 0.09 * both, IMAGE);
 }
 
+/// The sky in a square mirror of half side a, h before its centre: E = ρπL F, F = 4/π · s atan s, s = a/√(a² + h²).
+#[test]
+fn sky_in_a_mirror() {
+    let mut b = Build::default();
+    b.0.environment = Rgb::grey(2.0);
+    looking_glass(&mut b, -1.0, 1.0, 1.0);
+    for h in [0.3, 1.0] {
+        let s = 1.0 / libm::sqrt(1.0 + h * h);
+        let expected = RHO * 2.0 * PI * (4.0 / PI * s * libm::atan(s));
+        let at = meter(Vec3::Z * h as f32, Vec3::NEG_Z);
+        close("sky", lux(&b.0, &[at], &settings(&["mirror"], 1 << 13, 4, 1), 4)[0], expected, IMAGE);
+    }
+}
+
 /// Lamp and point so near the mirror that the clamp takes most of the image's light: it is paid back.
 #[test]
 fn what_the_clamp_takes_from_an_image_is_paid_back() {
