@@ -5,7 +5,7 @@
 
 use super::Pass;
 use crate::color::Rgb;
-use crate::eye::{LANES, Packet, Tile};
+use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::Ray;
 use crate::light::Shine;
 use crate::material::Class;
@@ -127,8 +127,30 @@ pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &m
     }
 }
 
+/// The vertices of a packet, each worked out when it is first asked for and once for all lights.
+pub(super) struct Points<'p, 'w> {
+    packet: &'p Packet<'w>,
+    known: [Option<Visible<'w>>; LANES],
+}
+
+impl<'p, 'w> Points<'p, 'w> {
+    pub(super) fn new(packet: &'p Packet<'w>) -> Points<'p, 'w> {
+        Points { packet, known: [None; LANES] }
+    }
+
+    /// The vertex of a lane.
+    pub(super) fn get(&mut self, k: usize) -> Option<&Visible<'w>> {
+        let known = &mut self.known[k];
+        if known.is_none() {
+            *known = self.packet.visible(k);
+        }
+        known.as_ref()
+    }
+}
+
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
+    let mut points = Points::new(p);
     let mut irradiance = [Rgb::BLACK; LANES];
     let mut radiance = [Rgb::BLACK; LANES];
     for light in lights {
@@ -142,13 +164,13 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
                 irradiance[k] += light.intensity * g[k];
             }
             for k in lanes(seen & !plain) {
-                if let Some(x) = p.visible(k) {
+                if let Some(x) = points.get(k) {
                     radiance[k] += reflected(&x.surface, light, g[k]);
                 }
             }
         }
         for k in lanes(p.live & !together) {
-            if let Some(x) = p.visible(k) {
+            if let Some(x) = points.get(k) {
                 radiance[k] += from_light(world, &x.surface, light, rays);
             }
         }

@@ -48,17 +48,17 @@ impl Integrator for Mirror {
             .collect();
         for p in tile.packets.iter().filter(|p| p.live != 0) {
             let radiance = packet(world, p, &images, &mut rays.shadow);
-            for k in p.lanes() {
-                if let Some(x) = p.visible(k) {
-                    out[p.pixels[k] as usize] += x.throughput * radiance[k];
-                }
+            for k in gather::lanes(p.live) {
+                out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
             }
         }
         let reach = 1.0 / pass.plan.bound.min(pass.plan.emitter_bound).sqrt();
         for p in tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach)) {
             for k in p.lanes() {
                 let numbers = p.numbers[k];
-                if let Some(x) = p.visible(k).filter(|_| turn_of(pass, numbers.seed >> 24)) {
+                if turn_of(pass, numbers.seed >> 24)
+                    && let Some(x) = p.visible(k)
+                {
                     let numbers = numbers.branch(b'm'.into());
                     let near = direct::near_light(pass, &x.surface, Way::Folded, numbers, rays)
                         + compensation::beyond_clamp(pass, x.surface, Way::Folded, numbers.branch(0), rays);
@@ -200,6 +200,7 @@ impl<'w> Image<'w> {
 /// Radiance leaving each point of a packet by a list of images [cd/m²]: [`Image::light_at`], but with one packet of rays
 /// from each light to the mirror.
 fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -> [Rgb; LANES] {
+    let mut points = gather::Points::new(p);
     let mut radiance = [Rgb::BLACK; LANES];
     for image in images {
         let together = if matches!(image.image.shine, Shine::Distant) { 0 } else { p.opaque };
@@ -209,13 +210,15 @@ fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -
         if lit != 0 {
             let share = shares_seen(world, image, lit, point, rays);
             for k in gather::lanes(lit) {
-                if let Some(x) = p.visible(k).filter(|_| !share[k].is_black()) {
+                if !share[k].is_black()
+                    && let Some(x) = points.get(k)
+                {
                     radiance[k] += image.reflected(&x.surface, g[k]) * share[k];
                 }
             }
         }
         for k in gather::lanes(p.live & !together) {
-            if let Some(x) = p.visible(k) {
+            if let Some(x) = points.get(k) {
                 radiance[k] += image.light_at(world, &x.surface, rays);
             }
         }
