@@ -209,10 +209,10 @@ impl World {
         // A triangle without area is never hit; a hit edge-on may find either side.
         let front = wo.dot(facet.normal) >= 0.0;
         let side = if front { 1.0 } else { -1.0 };
-        let shading = self.facets.shading_normal(facet, hit.u, hit.v);
+        let shading = self.facets.shading_normal(hit.instance, hit.triangle, facet.normal, hit.u, hit.v);
         let point = SurfacePoint::new(&facet.corners, hit.u, hit.v);
         let (finish, shading) = if finish.painted {
-            self.painted(hit, facet, finish, shading)
+            self.painted(hit, &facet, finish, shading)
         } else {
             (Coat::Plain(finish), shading)
         };
@@ -231,11 +231,16 @@ impl World {
         }
     }
 
-    /// The facet at a hit, and what it is made of.
+    /// What a triangle is made of, textures apart.
     #[inline]
-    pub fn facet(&self, instance: u32, triangle: u32) -> (&Facet, &Finish) {
-        let facet = self.facets.get(instance, triangle);
-        (facet, &self.finishes[facet.material as usize])
+    pub fn finish(&self, instance: u32, triangle: u32) -> &Finish {
+        &self.finishes[self.facets.material(instance, triangle) as usize]
+    }
+
+    /// False only if some facet of the instance has bent normals.
+    #[inline]
+    pub fn all_flat(&self, instance: u32) -> bool {
+        self.facets.all_flat(instance)
     }
 
     /// What textures and vertex colours make of a hit's finish and of its shading normal on the front side.

@@ -175,10 +175,10 @@ impl<'w> Packet<'w> {
         if !world.has_lamps() {
             winding = if world.has_environment() { inside } else { hits.hit };
             for k in lanes(hits.hit) {
-                let (facet, finish) = world.facet(hits.instance[k], hits.triangle[k]);
+                let finish = world.finish(hits.instance[k], hits.triangle[k]);
                 // A body of glass may have absorbed some of the light on its way here.
-                let odd = finish.painted || finish.bsdf.is_solid_interface();
-                if odd || !facet.is_flat() || !finish.emission.is_black() {
+                let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
+                if odd || !world.all_flat(hits.instance[k]) {
                     continue;
                 }
                 if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {

@@ -2,7 +2,7 @@
 //! one tree in world space; meshes used more often keep a tree each, below a tree over their instances. It knows
 //! neither materials nor light, and a change of the scene builds it anew.
 
-use super::bvh::{Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
+use super::bvh::{Best, Bounds, End, Hierarchy, Item, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
 use super::{Hit, Ray, Screen};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -89,15 +89,13 @@ impl Tracer {
             uses[instance.mesh as usize] += 1;
         }
 
-        let mut flat = Vec::new();
-        for (number, placement) in usable.iter().filter(|(_, i)| uses[i.mesh as usize] == 1) {
-            let mesh = &meshes[placement.mesh as usize];
-            flat.extend(primitives(mesh, *number, &placement.transform));
-            report.dropped_triangles += mesh.triangles.len() as u64;
-        }
-        report.triangles = flat.len() as u64;
-        report.dropped_triangles -= report.triangles;
-        let flat = Tree::new(&flat, screen);
+        let once = usable.iter().filter(|(_, i)| uses[i.mesh as usize] == 1);
+        let soup = Soup::new(
+            once.map(|(number, i)| Moved::new(&meshes[i.mesh as usize], *number, &i.transform)).collect(),
+        );
+        let flat = Tree::new(soup.count, |k| soup.primitive(k), screen);
+        report.triangles = flat.triangles();
+        report.dropped_triangles = u64::from(soup.count) - report.triangles;
 
         let mut trees = vec![u32::MAX; meshes.len()];
         let mut several = Vec::new();
@@ -108,8 +106,9 @@ impl Tracer {
         let shared: Vec<Shared> = several
             .into_par_iter()
             .map(|mesh| {
-                let primitives: Vec<Primitive> = primitives(mesh, 0, &Affine3A::IDENTITY).collect();
-                Shared { tree: Tree::new(&primitives, screen), triangles: primitives.len() as u64 }
+                let whole = Moved::new(mesh, 0, &Affine3A::IDENTITY);
+                let tree = Tree::new(mesh.triangles.len() as u32, |k| whole.primitive(k), screen);
+                Shared { triangles: tree.triangles(), tree }
             })
             .collect();
 
@@ -127,9 +126,12 @@ impl Tracer {
                 boxes.push(bounds);
             }
         }
-        let (top, leaves) = build(&boxes, 1);
+        let mut items: Vec<Item> =
+            (0..).zip(&boxes).map(|(index, bounds)| Item { bounds: *bounds, index }).collect();
+        let (top, leaves) = build(&mut items, 1);
         // Leaves of the top hierarchy hold one instance each: keep the instances in their order.
-        let placed = leaves.iter().map(|leaf| placed[leaf[0] as usize].clone()).collect();
+        let instance = |leaf: std::ops::Range<u32>| placed[items[leaf.start as usize].index as usize].clone();
+        let placed = leaves.into_iter().map(instance).collect();
         let bounds = boxes.iter().fold(flat.bounds(), |a, b| a.union(b));
         Tracer { kernel: Kernel::detect(), flat, shared, top, placed, bounds, report }
     }
@@ -304,26 +306,62 @@ fn usable(instance: &Placement, meshes: &[MeshGeometry<'_>]) -> bool {
         && inverse.is_finite()
 }
 
-/// The triangles of a mesh that can be hit, moved by `transform`.
-fn primitives(
-    mesh: &MeshGeometry<'_>,
+/// A mesh in its place, triangle by triangle.
+struct Moved<'a> {
+    mesh: &'a MeshGeometry<'a>,
     instance: u32,
-    transform: &Affine3A,
-) -> impl Iterator<Item = Primitive> {
-    let mirrored = transform.matrix3.determinant() < 0.0;
-    mesh.triangles.iter().enumerate().filter_map(move |(number, vertices)| {
-        let position = |v: u32| mesh.positions.get(v as usize).map(|p| transform.transform_point3(*p));
+    transform: &'a Affine3A,
+    mirrored: bool,
+}
+
+impl<'a> Moved<'a> {
+    fn new(mesh: &'a MeshGeometry<'a>, instance: u32, transform: &'a Affine3A) -> Moved<'a> {
+        Moved { mesh, instance, transform, mirrored: transform.matrix3.determinant() < 0.0 }
+    }
+
+    /// A triangle, if it can be hit.
+    fn primitive(&self, number: u32) -> Option<Primitive> {
+        let (mesh, at) = (self.mesh, number as usize);
+        let vertices = mesh.triangles[at];
+        let position = |v: u32| mesh.positions.get(v as usize).map(|p| self.transform.transform_point3(*p));
         let corners = [position(vertices[0])?, position(vertices[1])?, position(vertices[2])?];
         let near = corners.iter().all(|c| c.abs().max_element() <= FARTHEST && c.is_finite());
-        let culled = mesh.one_sided.get(number).copied().unwrap_or(false);
-        let screened = mesh.screened.get(number).copied().unwrap_or(false);
         (near && Plane::new(&corners, corners[0]).normal != [0.0; 3]).then_some(Primitive {
             corners,
-            instance,
-            triangle: number as u32,
-            culled,
-            mirrored,
-            screened,
+            instance: self.instance,
+            triangle: number,
+            culled: mesh.one_sided.get(at).copied().unwrap_or(false),
+            mirrored: self.mirrored,
+            screened: mesh.screened.get(at).copied().unwrap_or(false),
         })
-    })
+    }
+}
+
+/// The triangles of several meshes, counted through.
+struct Soup<'a> {
+    meshes: Vec<Moved<'a>>,
+    /// Number of the first triangle of each.
+    first: Vec<u32>,
+    count: u32,
+}
+
+impl<'a> Soup<'a> {
+    fn new(meshes: Vec<Moved<'a>>) -> Soup<'a> {
+        let mut count = 0;
+        let first = meshes
+            .iter()
+            .map(|m| {
+                let first = count;
+                count += m.mesh.triangles.len() as u32;
+                first
+            })
+            .collect();
+        Soup { meshes, first, count }
+    }
+
+    fn primitive(&self, k: u32) -> Option<Primitive> {
+        // The last that begins there or before: those without triangles begin where the next one does.
+        let mesh = self.first.partition_point(|first| *first <= k) - 1;
+        self.meshes[mesh].primitive(k - self.first[mesh])
+    }
 }

@@ -1,7 +1,9 @@
-//! Triangles in world space with what a hit needs of them: worked out once when the world is built.
+//! Triangles in world space with what a hit needs of them. They are worked out where they are asked for, since a list of
+//! all would be as large as the tree; what stands in one place alone is moved there beforehand.
 
-use crate::scene::Scene;
+use crate::scene::{Mesh, Scene};
 use glam::{Affine3A, Vec3};
+use std::sync::Arc;
 
 /// A triangle in its place.
 #[derive(Clone, Copy, Debug)]
@@ -12,76 +14,153 @@ pub struct Facet {
     pub normal: Vec3,
     /// Material number.
     pub material: u32,
-    /// Where its three shading normals are; `u32::MAX` for a flat one.
-    smooth: u32,
-}
-
-impl Facet {
-    /// True if its shading normal is the geometric one everywhere.
-    pub fn is_flat(&self) -> bool {
-        self.smooth == u32::MAX
-    }
 }
 
 /// All facets of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Facets {
-    facets: Vec<Facet>,
-    /// First facet of each instance.
-    first: Vec<u32>,
-    normals: Vec<[Vec3; 3]>,
+    scene: Arc<Scene>,
+    /// Of each instance.
+    places: Vec<Place>,
+    /// Triangles and vertices [m, world] of the meshes that have one instance.
+    triangles: Vec<Triangle>,
+    positions: Vec<Vec3>,
 }
 
+/// A triangle of a mesh that has one instance.
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    vertices: [u32; 3],
+    material: u32,
+}
+
+/// What all facets of an instance share.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    /// Where in `triangles` its own begin, if they are there.
+    first: Option<u32>,
+    /// −1 where the transform mirrors.
+    mirror: f32,
+    /// No facet has bent normals.
+    flat: bool,
+}
+
+/// Cosine above which a shading normal is the geometric one.
+const FLAT: f32 = 0.999_999;
+
 impl Facets {
-    /// From every triangle of every instance.
-    pub fn new(scene: &Scene) -> Facets {
-        let mut all = Facets::default();
-        for instance in &scene.instances {
-            all.first.push(all.facets.len() as u32);
+    /// Of every triangle of every instance.
+    pub fn new(scene: &Arc<Scene>) -> Facets {
+        let mut uses = vec![0_u32; scene.meshes.len()];
+        scene.instances.iter().for_each(|i| uses[i.mesh as usize] += 1);
+        let once = || scene.meshes.iter().zip(&uses).filter(|(_, uses)| **uses == 1);
+        let mut all = Facets {
+            scene: scene.clone(),
+            places: Vec::with_capacity(scene.instances.len()),
+            triangles: Vec::with_capacity(once().map(|(m, _)| m.triangles.len()).sum()),
+            positions: Vec::with_capacity(once().map(|(m, _)| m.positions.len()).sum()),
+        };
+        for (number, instance) in (0..).zip(&scene.instances) {
+            let mirror = if instance.transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
             let mesh = &scene.meshes[instance.mesh as usize];
-            let transform = &instance.transform;
-            let mirror = if transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
-            for (triangle, material) in mesh.triangles.iter().zip(&mesh.materials) {
-                let corners = triangle.map(|v| transform.transform_point3(mesh.positions[v as usize]));
-                let [a, b, c] = corners;
-                let normal = (b - a).cross(c - a).normalize_or_zero() * mirror;
-                let given = triangle.map(|v| mesh.normals.get(v as usize).copied().unwrap_or_default());
-                let bent = given.map(|n| turned(transform, n).normalize_or(normal));
-                let smooth = if bent.iter().all(|n| n.dot(normal) > FLAT) {
-                    u32::MAX
-                } else {
-                    all.normals.push(bent);
-                    all.normals.len() as u32 - 1
-                };
-                all.facets.push(Facet { corners, normal, material: *material, smooth });
+            let first = (uses[instance.mesh as usize] == 1).then_some(all.triangles.len() as u32);
+            if first.is_some() {
+                let base = all.positions.len() as u32;
+                let moved = mesh.positions.iter().map(|p| instance.transform.transform_point3(*p));
+                all.positions.extend(moved);
+                let pairs = mesh.triangles.iter().zip(&mesh.materials);
+                all.triangles.extend(pairs.map(|(vertices, material)| Triangle {
+                    vertices: vertices.map(|v| base + v),
+                    material: *material,
+                }));
             }
+            all.places.push(Place { first, mirror, flat: false });
+            let triangles = 0..mesh.triangles.len() as u32;
+            let flat = mesh.normals.is_empty() || triangles.into_iter().all(|t| all.is_flat(number, t));
+            all.places[number as usize].flat = flat;
         }
         all
     }
 
     /// One triangle of one instance.
-    pub fn get(&self, instance: u32, triangle: u32) -> &Facet {
-        &self.facets[(self.first[instance as usize] + triangle) as usize]
+    #[inline]
+    pub fn get(&self, instance: u32, triangle: u32) -> Facet {
+        let corners = self.corners(instance, triangle);
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).normalize_or_zero() * self.mirror(instance);
+        Facet { corners, normal, material: self.material(instance, triangle) }
+    }
+
+    /// The corners of a triangle, counter-clockwise seen from the front or, where [`Facets::mirror`] is −1, the back.
+    #[inline]
+    pub(super) fn corners(&self, instance: u32, triangle: u32) -> [Vec3; 3] {
+        if let Some(first) = self.places[instance as usize].first {
+            let vertices = &self.triangles[(first + triangle) as usize].vertices;
+            return vertices.map(|v| self.positions[v as usize]);
+        }
+        let (mesh, transform) = self.mesh(instance);
+        mesh.triangles[triangle as usize].map(|v| transform.transform_point3(mesh.positions[v as usize]))
+    }
+
+    /// −1 where the instance's transform mirrors, else 1.
+    #[inline]
+    pub(super) fn mirror(&self, instance: u32) -> f32 {
+        self.places[instance as usize].mirror
+    }
+
+    /// The material of a triangle.
+    #[inline]
+    pub fn material(&self, instance: u32, triangle: u32) -> u32 {
+        match self.places[instance as usize].first {
+            Some(first) => self.triangles[(first + triangle) as usize].material,
+            None => self.mesh(instance).0.materials[triangle as usize],
+        }
     }
 
     /// Every triangle: (instance, triangle, facet).
-    pub fn iter(&self) -> impl Iterator<Item = (u32, u32, &Facet)> {
-        let end = |i: usize| self.first.get(i + 1).map_or(self.facets.len(), |e| *e as usize);
-        (0..self.first.len()).flat_map(move |i| {
-            (0..).zip(&self.facets[self.first[i] as usize..end(i)]).map(move |(k, f)| (i as u32, k, f))
+    pub fn iter(&self) -> impl Iterator<Item = (u32, u32, Facet)> {
+        (0..self.places.len() as u32).flat_map(move |instance| {
+            let triangles = 0..self.mesh(instance).0.triangles.len() as u32;
+            triangles.map(move |triangle| (instance, triangle, self.get(instance, triangle)))
         })
     }
 
-    /// Unit shading normal at barycentric (u, v), on the front side.
-    pub fn shading_normal(&self, facet: &Facet, u: f32, v: f32) -> Vec3 {
-        let Some([a, b, c]) = self.normals.get(facet.smooth as usize) else { return facet.normal };
-        let n = (*a * (1.0 - u - v) + *b * u + *c * v).normalize_or(facet.normal);
-        if n.dot(facet.normal) < 0.0 { -n } else { n }
+    /// False only if some facet of the instance has bent normals.
+    #[inline]
+    pub fn all_flat(&self, instance: u32) -> bool {
+        self.places[instance as usize].flat
+    }
+
+    /// True if the triangle's shading normal is the geometric one everywhere.
+    pub fn is_flat(&self, instance: u32, triangle: u32) -> bool {
+        self.all_flat(instance)
+            || self.bent(instance, triangle, self.get(instance, triangle).normal).is_none()
+    }
+
+    /// Unit shading normal at barycentric (u, v), on the front side; `normal` is the facet's.
+    pub fn shading_normal(&self, instance: u32, triangle: u32, normal: Vec3, u: f32, v: f32) -> Vec3 {
+        if self.all_flat(instance) {
+            return normal;
+        }
+        let Some([a, b, c]) = self.bent(instance, triangle, normal) else { return normal };
+        let n = (a * (1.0 - u - v) + b * u + c * v).normalize_or(normal);
+        if n.dot(normal) < 0.0 { -n } else { n }
+    }
+
+    fn mesh(&self, instance: u32) -> (&Mesh, &Affine3A) {
+        let instance = &self.scene.instances[instance as usize];
+        (&self.scene.meshes[instance.mesh as usize], &instance.transform)
+    }
+
+    /// The normals of the corners, unless they are `normal`.
+    fn bent(&self, instance: u32, triangle: u32, normal: Vec3) -> Option<[Vec3; 3]> {
+        let (mesh, transform) = self.mesh(instance);
+        let given = |v: u32| mesh.normals.get(v as usize).copied().unwrap_or_default();
+        let bent =
+            mesh.triangles[triangle as usize].map(|v| turned(transform, given(v)).normalize_or(normal));
+        (!bent.iter().all(|n| n.dot(normal) > FLAT)).then_some(bent)
     }
 }
-
-/// Cosine above which a shading normal is the geometric one.
-const FLAT: f32 = 0.999_999;
 
 /// Normals transform by the inverse transpose, here the cofactors: no division, no trouble with mirrors.
 fn turned(transform: &Affine3A, n: Vec3) -> Vec3 {

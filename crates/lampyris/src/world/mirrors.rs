@@ -48,8 +48,8 @@ pub struct Mirror {
 #[derive(Clone, Debug, Default)]
 pub struct Mirrors {
     mirrors: Vec<Mirror>,
-    /// (instance, triangle) → mirror.
-    of: HashMap<(u32, u32), u8>,
+    /// Of each instance the triangles that belong to a mirror, in order, and which.
+    of: Vec<Vec<(u32, u8)>>,
 }
 
 /// Facets of a plane while they are collected.
@@ -149,7 +149,11 @@ impl Mirrors {
             let place = (instance, triangle);
             let [a, b, c] = facet.corners;
             let area = 0.5 * f64::from((b - a).cross(c - a).length());
-            if reflects[facet.material as usize] > 0.0 && facet.is_flat() && area > 0.0 && area.is_finite() {
+            if reflects[facet.material as usize] > 0.0
+                && facets.is_flat(instance, triangle)
+                && area > 0.0
+                && area.is_finite()
+            {
                 *totals.entry(instance).or_default() += area;
                 flat.push((area, place));
             }
@@ -180,8 +184,11 @@ impl Mirrors {
                 .iter()
                 .map(|(i, triangle)| reflects[facets.get(*i, *triangle).material as usize]);
             found.mirrors.push(Mirror { strength: strengths.fold(0.0, f32::max), ..plane.mirror });
-            found.of.extend(plane.facets.into_iter().map(|place| (place, number)));
+            let instance = plane.instance as usize;
+            found.of.resize(found.of.len().max(instance + 1), Vec::new());
+            found.of[instance].extend(plane.facets.into_iter().map(|(_, triangle)| (triangle, number)));
         }
+        found.of.iter_mut().for_each(|of| of.sort_unstable());
         found
     }
 
@@ -192,7 +199,9 @@ impl Mirrors {
 
     /// The mirror that a triangle of an instance belongs to.
     pub fn of(&self, instance: u32, triangle: u32) -> Option<u8> {
-        if self.mirrors.is_empty() { None } else { self.of.get(&(instance, triangle)).copied() }
+        let of = self.of.get(instance as usize)?;
+        let place = of.binary_search_by_key(&triangle, |(triangle, _)| *triangle).ok()?;
+        Some(of[place].1)
     }
 }
 

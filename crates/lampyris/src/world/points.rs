@@ -18,15 +18,17 @@ pub struct Points {
 impl World {
     /// The points that sixteen rays meet, as if all facets were flat; lanes outside `of` hold nothing of use.
     pub fn points16(&self, directions: &Vectors, hits: &Hits16, of: u16) -> Points {
-        let (mut corners, mut normal) = ([[[0.0_f32; LANES]; 3]; 3], [[0.0_f32; LANES]; 3]);
+        let (mut corners, mut mirror) = ([[[0.0_f32; LANES]; 3]; 3], [1.0_f32; LANES]);
         for k in (0..LANES).filter(|k| of >> k & 1 == 1) {
-            let facet = self.facets.get(hits.instance[k], hits.triangle[k]);
-            for axis in 0..3 {
-                for (corner, all) in facet.corners.iter().zip(&mut corners) {
-                    all[axis][k] = corner[axis];
-                }
-                normal[axis][k] = facet.normal[axis];
+            let (instance, triangle) = (hits.instance[k], hits.triangle[k]);
+            for (corner, all) in self.facets.corners(instance, triangle).iter().zip(&mut corners) {
+                (0..3).for_each(|axis| all[axis][k] = corner[axis]);
             }
+            mirror[k] = self.facets.mirror(instance);
+        }
+        let mut normal = normals(&corners);
+        for axis in &mut normal {
+            (0..LANES).for_each(|k| axis[k] *= mirror[k]);
         }
         let [dx, dy, dz] = directions;
         let side: [f32; LANES] = std::array::from_fn(|k| {
@@ -56,6 +58,22 @@ impl World {
         }
         Points { position, normal }
     }
+}
+
+/// Unit normals, as by `normalize_or_zero` of the cross product of two edges.
+fn normals(corners: &[Vectors; 3]) -> Vectors {
+    let mut normal = [[0.0; LANES]; 3];
+    let edge = |end: usize, axis: usize, k: usize| corners[end][axis][k] - corners[0][axis][k];
+    for k in 0..LANES {
+        let (bx, by, bz) = (edge(1, 0, k), edge(1, 1, k), edge(1, 2, k));
+        let (cx, cy, cz) = (edge(2, 0, k), edge(2, 1, k), edge(2, 2, k));
+        let (x, y, z) = (by * cz - cy * bz, bz * cx - cz * bx, bx * cy - cx * by);
+        let reciprocal = 1.0 / (x * x + y * y + z * z).sqrt();
+        let sound = reciprocal < f32::INFINITY && reciprocal > 0.0;
+        let scale = |v: f32| if sound { v * reciprocal } else { 0.0 };
+        normal.iter_mut().zip([x, y, z]).for_each(|(axis, v)| axis[k] = scale(v));
+    }
+    normal
 }
 
 #[cfg(test)]

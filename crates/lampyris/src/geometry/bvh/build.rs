@@ -52,39 +52,42 @@ impl Bounds {
     }
 }
 
+/// A finite box and the number of what is in it.
 #[derive(Clone, Copy)]
-struct Item {
-    bounds: Bounds,
-    index: u32,
+pub(crate) struct Item {
+    pub(crate) bounds: Bounds,
+    pub(crate) index: u32,
 }
 
-/// Items on their way to become a child, and their box.
+/// Where the items of a leaf lie.
+pub(crate) type Leaf = std::ops::Range<u32>;
+
+/// Items on their way to become a child: their box, and the place of the first among all.
 struct Range<'a> {
     items: &'a mut [Item],
     bounds: Bounds,
+    first: u32,
 }
 
 impl<'a> Range<'a> {
-    fn new(items: &'a mut [Item]) -> Range<'a> {
+    fn new(items: &'a mut [Item], first: u32) -> Range<'a> {
         let bounds = items.iter().fold(Bounds::default(), |b, i| b.union(&i.bounds));
-        Range { items, bounds }
+        Range { items, bounds, first }
     }
 }
 
 #[derive(Default)]
 struct Subtree {
     nodes: Vec<Node>,
-    leaves: Vec<Vec<u32>>,
+    leaves: Vec<Leaf>,
 }
 
-/// A hierarchy over finite boxes with at most `leaf` of them in a leaf, and the numbers of the boxes in each leaf.
-pub(crate) fn build(bounds: &[Bounds], leaf: usize) -> (Hierarchy, Vec<Vec<u32>>) {
-    if bounds.is_empty() {
+/// A hierarchy over boxes with at most `leaf` of them in a leaf. Sorts the items so that each leaf is a run of them.
+pub(crate) fn build(items: &mut [Item], leaf: usize) -> (Hierarchy, Vec<Leaf>) {
+    if items.is_empty() {
         return (Hierarchy::default(), Vec::new());
     }
-    let mut items: Vec<Item> =
-        bounds.iter().enumerate().map(|(i, b)| Item { bounds: *b, index: i as u32 }).collect();
-    let root = Range::new(&mut items);
+    let root = Range::new(items, 0);
     let all = root.bounds;
     let tree = grow(root, leaf, 0);
     (Hierarchy { nodes: tree.nodes, bounds: all }, tree.leaves)
@@ -96,8 +99,8 @@ fn grow(range: Range<'_>, leaf: usize, depth: usize) -> Subtree {
     let below = |child: Range<'_>| {
         let bounds = child.bounds;
         if child.items.len() <= leaf {
-            let leaves = vec![child.items.iter().map(|i| i.index).collect()];
-            (bounds, Subtree { nodes: Vec::new(), leaves })
+            let leaf = child.first..child.first + child.items.len() as u32;
+            (bounds, Subtree { nodes: Vec::new(), leaves: vec![leaf] })
         } else {
             (bounds, grow(child, leaf, depth + 1))
         }
@@ -125,8 +128,8 @@ fn divide(range: Range<'_>, leaf: usize, by_area: bool) -> Vec<Range<'_>> {
         let middle = if by_area { split(range.items) } else { None };
         let middle = middle.unwrap_or_else(|| halve(range.items));
         let (left, right) = range.items.split_at_mut(middle);
-        children.push(Range::new(left));
-        children.push(Range::new(right));
+        children.push(Range::new(left, range.first));
+        children.push(Range::new(right, range.first + middle as u32));
     }
     children
 }

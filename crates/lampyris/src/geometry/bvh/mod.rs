@@ -35,7 +35,7 @@ mod slab;
 mod tests;
 mod triangle;
 
-pub(super) use build::{Bounds, build};
+pub(super) use build::{Bounds, Item, build};
 pub(super) use packet::{PacketBest, mask};
 pub(super) use slab::Slab;
 pub(super) use triangle::Plane;
@@ -44,6 +44,7 @@ use super::packet::{LANES, lane, lanes};
 use super::screen::Screen;
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
+use rayon::prelude::*;
 use triangle::{Crossing, Shear, crossing, pierced};
 
 /// Children of a node and triangles of a block.
@@ -87,6 +88,8 @@ pub(super) struct Block {
     mirrored: u8,
     /// Bit set: the tree's screen is asked whether the triangle is there at all.
     screened: u8,
+    /// Places that are filled.
+    count: u8,
 }
 
 /// One triangle on its way into a tree.
@@ -215,12 +218,32 @@ impl Kernel {
 }
 
 impl Tree {
-    pub(super) fn new(primitives: &[Primitive], screen: &Screen) -> Tree {
-        let bounds: Vec<Bounds> = primitives.iter().map(|p| Bounds::of(&p.corners)).collect();
-        let (hierarchy, leaves) = build(&bounds, WIDTH);
-        let blocks =
-            leaves.iter().map(|leaf| Block::new(leaf.iter().map(|&i| &primitives[i as usize]))).collect();
-        Tree { hierarchy, blocks, screen: screen.clone() }
+    /// Over those of `count` triangles that `primitive` grants. It is asked twice for each, since a list of all of them
+    /// would be larger than the tree.
+    pub(super) fn new(
+        count: u32,
+        primitive: impl Fn(u32) -> Option<Primitive> + Sync,
+        screen: &Screen,
+    ) -> Tree {
+        let mut items = Vec::with_capacity(count as usize);
+        items
+            .extend((0..count).filter_map(|index| {
+                primitive(index).map(|p| Item { bounds: Bounds::of(&p.corners), index })
+            }));
+        let (hierarchy, leaves) = build(&mut items, WIDTH);
+        // The boxes make room for the blocks.
+        let order: Vec<u32> = items.iter().map(|i| i.index).collect();
+        drop(items);
+        let block = |leaf: &build::Leaf| {
+            let order = &order[leaf.start as usize..leaf.end as usize];
+            Block::new(order.iter().filter_map(|i| primitive(*i)))
+        };
+        Tree { hierarchy, blocks: leaves.par_iter().map(block).collect(), screen: screen.clone() }
+    }
+
+    /// Triangles in it.
+    pub(super) fn triangles(&self) -> u64 {
+        self.blocks.iter().map(|b| u64::from(b.count)).sum()
     }
 
     pub(super) fn bounds(&self) -> Bounds {
@@ -335,7 +358,7 @@ impl Hierarchy {
 }
 
 impl Block {
-    fn new<'a>(primitives: impl Iterator<Item = &'a Primitive>) -> Block {
+    fn new(primitives: impl Iterator<Item = Primitive>) -> Block {
         let mut block = Block {
             corners: [[f32::NAN; WIDTH]; 9],
             instance: [0; WIDTH],
@@ -343,6 +366,7 @@ impl Block {
             culled: 0,
             mirrored: 0,
             screened: 0,
+            count: 0,
         };
         for (i, p) in primitives.enumerate() {
             for (corner, position) in p.corners.iter().enumerate() {
@@ -355,6 +379,7 @@ impl Block {
             block.culled |= u8::from(p.culled) << i;
             block.mirrored |= u8::from(p.mirrored) << i;
             block.screened |= u8::from(p.screened) << i;
+            block.count += 1;
         }
         block
     }

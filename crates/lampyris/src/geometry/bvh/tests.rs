@@ -68,7 +68,7 @@ fn walks_agree_with_brute_force() {
     let (mut hits, mut blocked) = (0, 0);
     for count in [1, 7, 8, 9, 100, 3000] {
         let soup = soup(count, &mut state);
-        let tree = Tree::new(&soup, &Screen::default());
+        let tree = Tree::new(soup.len() as u32, |i| Some(soup[i as usize]), &Screen::default());
         for _ in 0..(300_000 / (count as usize + 100)) {
             let origin = if random(&mut state) < 0.5 {
                 target(&soup, &mut state)
@@ -151,9 +151,15 @@ fn no_scene_makes_the_tree_deep() {
         .map(|i| Bounds { lower: Vec3::splat(-(1.001f32.powi(i))), upper: Vec3::splat(1.001f32.powi(i)) })
         .collect();
     for boxes in [same, powers, nested] {
-        let (hierarchy, leaves) = build(&boxes, WIDTH);
+        let mut items: Vec<Item> =
+            (0..).zip(&boxes).map(|(index, bounds)| Item { bounds: *bounds, index }).collect();
+        let (hierarchy, leaves) = build(&mut items, WIDTH);
         assert!(depth(&hierarchy, 0) <= build::MAX_DEPTH);
-        let mut all: Vec<u32> = leaves.concat();
+        let mut all: Vec<u32> = leaves
+            .iter()
+            .flat_map(|leaf| &items[leaf.start as usize..leaf.end as usize])
+            .map(|item| item.index)
+            .collect();
         all.sort_unstable();
         assert!(all.iter().copied().eq(0..boxes.len() as u32), "every box lies in one leaf");
         assert!(leaves.iter().all(|l| l.len() <= WIDTH));
@@ -165,7 +171,10 @@ fn the_tree_does_not_depend_on_threads() {
     let soup = soup(30_000, &mut 3);
     let build = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        format!("{:?}", pool.install(|| Tree::new(&soup, &Screen::default())))
+        format!(
+            "{:?}",
+            pool.install(|| Tree::new(soup.len() as u32, |i| Some(soup[i as usize]), &Screen::default()))
+        )
     };
     let one = build(1);
     assert!(one == build(2) && one == build(7));
@@ -179,7 +188,7 @@ fn moved_blocks_are_moved_as_glam_moves_points() {
         vector(&mut state) * 1e3,
     );
     let soup = soup(8, &mut state);
-    let tree = Tree::new(&soup, &Screen::default());
+    let tree = Tree::new(soup.len() as u32, |i| Some(soup[i as usize]), &Screen::default());
     let moved = tree.blocks[0].placed(&Placed { instance: 4, transform, mirrored: true });
     for i in 0..WIDTH {
         let corners = tree.blocks[0].corners(i).map(|c| transform.transform_point3(c));
