@@ -1,0 +1,23 @@
+//! What a loaded scene promises, whatever its file was.
+
+use lampyris::scene::Scene;
+
+/// Panics unless all numbers are finite and all references lead somewhere.
+pub(crate) fn check(scene: &Scene) {
+    for mesh in &scene.meshes {
+        let n = mesh.positions.len();
+        assert!(mesh.positions.iter().chain(&mesh.normals).all(|p| p.is_finite()));
+        assert!(mesh.uvs.iter().flatten().all(|uv| uv.is_finite()));
+        assert!(mesh.tangents.iter().chain(&mesh.colors).all(|v| v.is_finite()));
+        let [first, second] = &mesh.uvs;
+        let lengths = [mesh.normals.len(), first.len(), second.len(), mesh.tangents.len(), mesh.colors.len()];
+        assert!(lengths.iter().all(|l| *l == 0 || *l == n), "{lengths:?} for {n} vertices");
+        assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < n));
+        assert_eq!(mesh.triangles.len(), mesh.materials.len());
+        assert!(mesh.materials.iter().all(|m| (*m as usize) < scene.materials.len()));
+    }
+    for instance in &scene.instances {
+        assert!((instance.mesh as usize) < scene.meshes.len() && instance.transform.is_finite());
+    }
+    assert!(scene.materials.iter().all(|m| m.emission.is_finite()));
+}
