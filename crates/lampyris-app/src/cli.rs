@@ -198,6 +198,27 @@ pub(crate) struct LimitArgs {
     /// Vertices of a polygon
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_polygon: Option<u64>,
+    /// Bytes of JSON in a glTF file
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_json_bytes: Option<u64>,
+    /// Nodes, meshes, accessors of a glTF file
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_nodes: Option<u64>,
+    /// Nodes within each other
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_depth: Option<u64>,
+    /// Meshes placed by nodes
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_instances: Option<u64>,
+    /// Objects and groups of an OBJ file
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_objects: Option<u64>,
+    /// Material libraries of an OBJ file
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_libraries: Option<u64>,
+    /// Bytes in a line of OBJ or MTL
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_line_bytes: Option<u64>,
 }
 
 #[derive(Debug, Args)]

@@ -15,6 +15,13 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         entities: l.max_entities.unwrap_or(d.entities),
         array: l.max_array.unwrap_or(d.array),
         polygon: l.max_polygon.unwrap_or(d.polygon),
+        json_bytes: l.max_json_bytes.unwrap_or(d.json_bytes),
+        nodes: l.max_nodes.unwrap_or(d.nodes),
+        depth: l.max_depth.unwrap_or(d.depth),
+        instances: l.max_instances.unwrap_or(d.instances),
+        objects: l.max_objects.unwrap_or(d.objects),
+        libraries: l.max_libraries.unwrap_or(d.libraries),
+        line_bytes: l.max_line_bytes.unwrap_or(d.line_bytes),
     };
     let loaded = import::load(
         &args.file,

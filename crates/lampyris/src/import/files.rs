@@ -85,7 +85,10 @@ impl Root {
         if size.len() > self.limit {
             return Err(over(size.len()));
         }
+        // As much as it has, at once: growing would take up to twice as much.
         let mut bytes = Vec::new();
+        let room = usize::try_from(size.len()).unwrap_or(usize::MAX);
+        bytes.try_reserve_exact(room).map_err(|_| over(size.len()))?;
         open.take(self.limit.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
         // It may have grown since it was measured.
         if bytes.len() as u64 > self.limit { Err(over(bytes.len() as u64)) } else { Ok(bytes) }

@@ -1,7 +1,15 @@
 //! Scene files in. One table by extension: a new format is one file and one row.
 
 mod files;
+mod gltf;
+mod images;
+mod lines;
 mod mgf;
+mod name;
+mod notes;
+mod obj;
+mod point_tree;
+mod polygon;
 mod report;
 
 use crate::error::{Error, Result};
@@ -52,6 +60,20 @@ pub struct Limits {
     pub array: u64,
     /// Vertices of one polygon.
     pub polygon: u64,
+    /// Bytes of JSON in one glTF file.
+    pub json_bytes: u64,
+    /// Nodes of a glTF file; its meshes; its accessors.
+    pub nodes: u64,
+    /// Nodes within each other.
+    pub depth: u64,
+    /// Meshes placed by nodes.
+    pub instances: u64,
+    /// Objects and groups of an OBJ file.
+    pub objects: u64,
+    /// Material libraries of an OBJ file.
+    pub libraries: u64,
+    /// Bytes in one line of OBJ or MTL.
+    pub line_bytes: u64,
 }
 
 impl Default for Limits {
@@ -63,6 +85,13 @@ impl Default for Limits {
             entities: 50_000_000,
             array: 10_000_000,
             polygon: 65_536,
+            json_bytes: 256 << 20,
+            nodes: 1_000_000,
+            depth: 1024,
+            instances: 10_000_000,
+            objects: 1_000_000,
+            libraries: 64,
+            line_bytes: lines::LINE_BYTES as u64,
         }
     }
 }
@@ -78,8 +107,11 @@ pub struct Format {
 }
 
 /// Every format that can be read.
-pub const FORMATS: &[Format] =
-    &[Format { extensions: &["mgf"], name: "Materials and Geometry Format", load: mgf::load }];
+pub const FORMATS: &[Format] = &[
+    Format { extensions: &["gltf", "glb"], name: "glTF 2.0", load: gltf::load },
+    Format { extensions: &["mgf"], name: "Materials and Geometry Format", load: mgf::load },
+    Format { extensions: &["obj"], name: "Wavefront OBJ with MTL", load: obj::load },
+];
 
 /// Loads a scene file by its extension.
 pub fn load(path: &Path, options: &Options) -> Result<Loaded> {

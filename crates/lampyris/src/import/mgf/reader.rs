@@ -5,13 +5,14 @@
 use super::args::Reason;
 use super::color::Chromaticity;
 use super::contexts::Contexts;
-use super::lines::{LINE_BYTES, Place, STRICT_LINE_BYTES, TooLong, next_line, words};
 use super::material::Surface;
 use super::shapes::Vertex;
-use super::sink::{NAME_BYTES, Sink};
+use super::sink::Sink;
 use super::transform::Transform;
 use crate::error::{Error, Result};
 use crate::import::files::Root;
+use crate::import::lines::{LINE_BYTES, Place, TooLong, next_line, words};
+use crate::import::name::NAME_BYTES;
 use crate::import::report::{Report, quote};
 use crate::import::{Loaded, Options};
 use glam::DAffine3;
@@ -22,6 +23,9 @@ use std::rc::Rc;
 /// What is long costs as much as many, so that repetitions of it are bounded all the same: beside its line, an entity
 /// counts once for each so many bytes.
 const BYTES_PER_ENTITY: usize = 256;
+
+/// Longest line the format's specification allows [bytes].
+const STRICT_LINE_BYTES: usize = 4096;
 
 /// A file being read.
 struct OpenFile {
@@ -126,7 +130,7 @@ impl<'o> Reader<'o> {
         while let Some(file) = self.files.last_mut() {
             let bytes = file.bytes.clone();
             let before = file.place.offset;
-            let line = next_line(&bytes, &mut file.place);
+            let line = next_line(&bytes, &mut file.place, LINE_BYTES);
             let consumed = file.place.offset - before;
             match line {
                 Err(TooLong(number)) => {

@@ -2,7 +2,7 @@
 //! Every curved shape is one profile turned about an axis. Orientation follows the sign of the radii; placing, and
 //! with it mirroring, is done later.
 
-use super::polygon::{Triangulation, flatten, triangulate, vector_area};
+use crate::import::polygon::{Triangulation, flatten, triangulate, vector_area};
 use glam::{DVec2, DVec3};
 
 /// A vertex with its shading normal, zero for "the surface's own".

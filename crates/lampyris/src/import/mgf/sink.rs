@@ -4,14 +4,12 @@
 
 use super::material::{Key, Surface};
 use super::shapes::Patch;
+use crate::import::name::{NAME_BYTES, clipped};
 use crate::material::Material;
 use crate::scene::{Instance, Mesh, Scene};
 use glam::{Affine3A, DAffine3, DVec3, Vec3};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
-
-/// Longest name of an object or a material [bytes]; nested names would otherwise grow with the square of their depth.
-pub(super) const NAME_BYTES: usize = 255;
 
 /// Farthest coordinate [m]; squares of it stay within single precision.
 const FARTHEST: f64 = 1e18;
@@ -156,9 +154,4 @@ impl Sink {
         });
         &mut scene.meshes[index]
     }
-}
-
-fn clipped(name: &str) -> &str {
-    let end = (0..=NAME_BYTES.min(name.len())).rev().find(|&i| name.is_char_boundary(i)).unwrap_or(0);
-    &name[..end]
 }

@@ -1,14 +1,11 @@
-//! The lines of an MGF file: any of the three line ends, continued by a backslash right before the line end.
+//! The lines of a text file: any of the three line ends, continued by a backslash right before the line end.
 //! A place in the file can be kept and returned to, which is how arrays repeat their block.
 //! No word is understood here.
 
 use std::borrow::Cow;
 
-/// Longest line, continuations joined [bytes].
+/// Longest line unless asked otherwise, continuations joined [bytes].
 pub(super) const LINE_BYTES: usize = 1 << 20;
-
-/// Longest line the format's specification allows [bytes].
-pub(super) const STRICT_LINE_BYTES: usize = 4096;
 
 /// A place between two lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,12 +24,16 @@ pub(super) struct Line<'a> {
     pub(super) number: u64,
 }
 
-/// A line that is longer than [`LINE_BYTES`], and its number.
+/// A line that is longer than the limit, and its number.
 #[derive(Debug)]
 pub(super) struct TooLong(pub(super) u64);
 
 /// The next line that is not blank from `place` on, which moves behind it; `None` at the end.
-pub(super) fn next_line<'a>(bytes: &'a [u8], place: &mut Place) -> Result<Option<Line<'a>>, TooLong> {
+pub(super) fn next_line<'a>(
+    bytes: &'a [u8],
+    place: &mut Place,
+    limit: usize,
+) -> Result<Option<Line<'a>>, TooLong> {
     loop {
         let number = place.line + 1;
         let Some(mut part) = physical(bytes, place) else { return Ok(None) };
@@ -40,12 +41,12 @@ pub(super) fn next_line<'a>(bytes: &'a [u8], place: &mut Place) -> Result<Option
         while let [front @ .., b'\\'] = part {
             joined.extend_from_slice(front);
             joined.push(b' ');
-            if joined.len() > LINE_BYTES {
+            if joined.len() > limit {
                 return Err(TooLong(number));
             }
             part = physical(bytes, place).unwrap_or_default();
         }
-        if joined.len() + part.len() > LINE_BYTES {
+        if joined.len() + part.len() > limit {
             return Err(TooLong(number));
         }
         let text = if joined.is_empty() {
@@ -86,7 +87,7 @@ mod tests {
     fn all(text: &str) -> Vec<(u64, Vec<String>)> {
         let mut place = Place::default();
         let mut out = Vec::new();
-        while let Some(line) = next_line(text.as_bytes(), &mut place).unwrap() {
+        while let Some(line) = next_line(text.as_bytes(), &mut place, LINE_BYTES).unwrap() {
             out.push((line.number, words(&line.text).map(String::from).collect()));
         }
         out
@@ -118,9 +119,9 @@ mod tests {
     fn lines_end_at_a_mebibyte() {
         for (bytes, good) in [(LINE_BYTES, true), (LINE_BYTES + 1, false)] {
             let text = "x".repeat(bytes);
-            assert_eq!(next_line(text.as_bytes(), &mut Place::default()).is_ok(), good);
+            assert_eq!(next_line(text.as_bytes(), &mut Place::default(), LINE_BYTES).is_ok(), good);
             let joined = "x".repeat(bytes - 3) + "\\\nyy";
-            assert_eq!(next_line(joined.as_bytes(), &mut Place::default()).is_ok(), good);
+            assert_eq!(next_line(joined.as_bytes(), &mut Place::default(), LINE_BYTES).is_ok(), good);
         }
     }
 
@@ -128,11 +129,11 @@ mod tests {
     fn a_place_can_be_returned_to() {
         let text = b"a\nb\nc\n";
         let mut place = Place::default();
-        next_line(text, &mut place).unwrap();
+        next_line(text, &mut place, LINE_BYTES).unwrap();
         let kept = place;
-        next_line(text, &mut place).unwrap();
+        next_line(text, &mut place, LINE_BYTES).unwrap();
         place = kept;
-        let again = next_line(text, &mut place).unwrap().unwrap();
+        let again = next_line(text, &mut place, LINE_BYTES).unwrap().unwrap();
         assert_eq!((again.text.as_ref(), again.number), ("b", 2));
     }
 }
