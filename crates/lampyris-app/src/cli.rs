@@ -174,6 +174,12 @@ pub(crate) struct SceneArgs {
     /// Facets around a full circle of curved shapes, a multiple of 4 [default: 20]
     #[arg(long, value_name = "N")]
     pub(crate) circle: Option<u32>,
+    /// Picture around the scene, by longitude and latitude, .hdr or .exr; overhead is its upper edge
+    #[arg(long, value_name = "FILE")]
+    pub(crate) environment: Option<PathBuf>,
+    /// Luminance of 1 in that picture [cd/m²]
+    #[arg(long, value_name = "X", default_value_t = 1.0, requires = "environment", value_parser = parse::positive)]
+    pub(crate) environment_scale: f32,
     #[command(flatten)]
     pub(crate) limits: LimitArgs,
 }
@@ -219,6 +225,12 @@ pub(crate) struct LimitArgs {
     /// Bytes in a line of OBJ or MTL
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_line_bytes: Option<u64>,
+    /// Pixels of one picture
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_image_pixels: Option<u64>,
+    /// Bytes of all pictures, decoded
+    #[arg(long, value_name = "N", help_heading = LIMITS)]
+    pub(crate) max_image_bytes: Option<u64>,
 }
 
 #[derive(Debug, Args)]

@@ -32,6 +32,12 @@ pub(crate) fn fov(text: &str) -> Result<f32, String> {
     if fov > 0.0 && fov < 179.0 { Ok(fov) } else { Err("need more than 0 and less than 179 degrees".into()) }
 }
 
+/// A number above 0.
+pub(crate) fn positive(text: &str) -> Result<f32, String> {
+    let number = number(text)?;
+    if number > 0.0 { Ok(number) } else { Err("need more than 0".into()) }
+}
+
 /// A number of seconds.
 pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = number(text)?;
@@ -87,6 +93,9 @@ mod tests {
         }
         for text in ["0", "-5", "nan", "1e30", ""] {
             assert!(seconds(text).is_err(), "{text:?}");
+        }
+        for text in ["0", "-5", "nan", "inf", ""] {
+            assert!(positive(text).is_err(), "{text:?}");
         }
         assert!(
             fov("180").is_err()

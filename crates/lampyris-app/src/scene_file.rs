@@ -3,7 +3,9 @@
 use crate::cli::SceneArgs;
 use crate::failure::Failure;
 use crate::say;
+use lampyris::Rgb;
 use lampyris::import::{self, Limits, Loaded, Options};
+use lampyris::scene::upward;
 
 /// Loads the scene; warnings go to standard error unless `quiet`.
 pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
@@ -22,15 +24,22 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         objects: l.max_objects.unwrap_or(d.objects),
         libraries: l.max_libraries.unwrap_or(d.libraries),
         line_bytes: l.max_line_bytes.unwrap_or(d.line_bytes),
+        image_pixels: l.max_image_pixels.unwrap_or(d.image_pixels),
+        image_bytes: l.max_image_bytes.unwrap_or(d.image_bytes),
     };
-    let loaded = import::load(
-        &args.file,
-        &Options {
-            root: args.root.clone(),
-            limits,
-            circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
-        },
-    )?;
+    let options = Options {
+        root: args.root.clone(),
+        limits,
+        circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
+    };
+    let mut loaded = import::load(&args.file, &options)?;
+    if let Some(file) = &args.environment {
+        // A sky must know what is overhead, and not every format says.
+        loaded.scene.up = Some(upward(&loaded.scene));
+        loaded.scene.environment = Rgb::grey(args.environment_scale);
+        loaded.scene.environment_image = Some(loaded.scene.images.len() as u32);
+        loaded.scene.images.push(import::picture(file, &options)?);
+    }
     if !quiet {
         loaded.warnings.iter().for_each(|w| say::note(&format!("warning: {w}")));
     }

@@ -68,6 +68,30 @@ fn a_point_under_a_disc_and_under_a_sphere() {
     }
 }
 
+/// Everything around has L = 100 × 1.004 (a mantissa stands for its middle): a meter reads π L.
+#[test]
+fn a_picture_around_the_scene() {
+    let folder = Folder::new("around");
+    let floor: String = DISC
+        .lines()
+        .filter(|l| !l.contains("lamp") && !l.contains("ring"))
+        .fold(String::new(), |text, line| text + line + "\n");
+    folder.put("floor.mgf", &floor.replace("\tsides 1\n\ted 3141.592654\n", ""));
+    folder.put("points.txt", "0 0 1 0 0 1\n");
+    let sky =
+        [b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".as_slice(), &[128, 128, 128, 129].repeat(2)];
+    std::fs::write(folder.0.join("sky.hdr"), sky.concat()).unwrap();
+    let args =
+        "measure floor.mgf --points points.txt --environment sky.hdr --environment-scale 100 --json --quiet";
+    let lux = run(&folder, args).json()[0]["lux"].as_f64().unwrap();
+    let exact = std::f64::consts::PI * 100.0 * 128.5 / 128.0;
+    assert!((lux / exact - 1.0).abs() < 0.003, "{lux}, exact {exact}");
+    let small = run(&folder, &format!("{args} --max-image-pixels 1"));
+    assert!(small.code == 5 && small.err.contains("--max-image-pixels"), "{}", small.err);
+    let none = run(&folder, "measure floor.mgf --points points.txt --environment points.txt");
+    assert!(none.code == 3 && none.err.contains("no picture"), "{}", none.err);
+}
+
 #[test]
 fn columns_comments_and_json_keys() {
     let folder = Folder::new("columns");

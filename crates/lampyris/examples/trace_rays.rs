@@ -92,7 +92,7 @@ fn main() -> std::io::Result<()> {
     let positions: Vec<Vec3> = floats(soup)?.chunks_exact(3).map(Vec3::from_slice).collect();
     let triangles: Vec<[u32; 3]> =
         (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[] };
+    let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[], screened: &[] };
     let start = Instant::now();
     let tracer = Tracer::build(&[mesh], &[Placement { mesh: 0, transform: Affine3A::IDENTITY }]);
     println!(

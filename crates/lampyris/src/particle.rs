@@ -232,7 +232,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut rays = 0;
     let start = emitter.emit([place[0], place[1], turn[0], turn[1]], world.bounds());
     let mut ray = Ray::new(start.origin, start.direction);
-    let mut flux = emitter.power(world.bounds());
+    let mut flux = start.flux;
     let mut last: Option<Surface<'w>> = None;
     for generation in 1.. {
         let expected = plan.expected(path.emitter, generation);

@@ -4,28 +4,33 @@
 mod facet;
 mod finish;
 mod points;
+mod relief;
 mod surface;
 
 pub use facet::{Facet, Facets};
-pub use finish::Finish;
+pub use finish::{Coat, Finish};
 pub use points::Points;
 pub use surface::Surface;
 
 use crate::color::Rgb;
-use crate::geometry::{Hit, MeshGeometry, Placement, Ray, SurfacePoint, Tracer};
-use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle};
-use crate::material::Sides;
-use crate::scene::Scene;
+use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
+use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle, Sky};
+use crate::material::{Coverage, Sides};
+use crate::scene::{Least, Mesh, Scene};
 use crate::sequence;
 use glam::Vec3;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// The least share of a two-sided emitter's particles that its worse side keeps: never 0, or its light were lost.
 const LEAST_SIDE: f32 = 0.05;
 
+/// Seed of the screens of half-there surfaces.
+const SCREEN: u32 = 0x5c4e_e111;
+
 /// A scene ready for light.
 pub struct World {
-    scene: Scene,
+    scene: Arc<Scene>,
     tracer: Tracer,
     facets: Facets,
     finishes: Vec<Finish>,
@@ -64,28 +69,35 @@ pub struct Glow {
 impl World {
     /// Builds hierarchy and emitters.
     pub fn new(scene: Scene) -> World {
-        let one_sided = |m: &crate::scene::Mesh| -> Vec<bool> {
+        let scene = Arc::new(scene);
+        let one_sided = |m: &Mesh| -> Vec<bool> {
             m.materials.iter().map(|k| scene.materials[*k as usize].sides == Sides::FrontOnly).collect()
         };
         let one_sided: Vec<Vec<bool>> = scene.meshes.iter().map(one_sided).collect();
-        let meshes: Vec<MeshGeometry<'_>> = scene
-            .meshes
-            .iter()
-            .zip(&one_sided)
-            .map(|(m, one_sided)| MeshGeometry {
+        let mut least = Least::new(&scene);
+        let screened: Vec<Vec<bool>> = scene.meshes.iter().map(|m| screened(&scene, m, &mut least)).collect();
+        let meshes: Vec<MeshGeometry<'_>> = (scene.meshes.iter().zip(&one_sided).zip(&screened))
+            .map(|((m, one_sided), screened)| MeshGeometry {
                 positions: &m.positions,
                 triangles: &m.triangles,
                 one_sided,
+                screened,
             })
             .collect();
         let placements: Vec<Placement> =
             scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
-        let tracer = Tracer::build(&meshes, &placements);
-        let finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
+        let with_holes = scene.clone();
+        let screen =
+            Screen::new(move |instance, triangle, u, v| is_hole(&with_holes, instance, triangle, u, v));
+        let tracer = Tracer::with_screen(&meshes, &placements, &screen);
+        let mut finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
+        for mesh in scene.meshes.iter().filter(|m| !m.colors.is_empty()) {
+            mesh.materials.iter().for_each(|k| finishes[*k as usize].painted = true);
+        }
         let mut world = World {
             tracer,
             facets: Facets::new(&scene),
-            sharp: finishes.iter().any(|f| !f.sharp.is_black()),
+            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &mut least)),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
@@ -103,9 +115,9 @@ impl World {
         let lit = |e: &Emitter| e.area() > 0.0 && matches!(e, Emitter::Lamp(_));
         world.lamps = (0..).zip(&world.emitters).filter(|(_, e)| lit(e)).map(|(k, _)| k).collect();
         world.gather_emissive_sides();
-        if !world.scene.environment.is_black() {
+        if let Some(around) = environment(&world.scene) {
             world.environment = Some(world.emitters.len() as u32);
-            world.emitters.push(Emitter::Environment { radiance: world.scene.environment });
+            world.emitters.push(around);
         }
         world.glow_boxes = world.emitters.iter().filter_map(Emitter::extent).collect();
         world.share_out();
@@ -189,6 +201,11 @@ impl World {
         let side = if front { 1.0 } else { -1.0 };
         let shading = self.facets.shading_normal(facet, hit.u, hit.v);
         let point = SurfacePoint::new(&facet.corners, hit.u, hit.v);
+        let (finish, shading) = if finish.painted {
+            self.painted(hit, facet, finish, shading)
+        } else {
+            (Coat::Plain(finish), shading)
+        };
         Surface {
             position: point.position,
             error: point.error,
@@ -198,6 +215,7 @@ impl World {
             finish,
             front,
             instance: hit.instance,
+            triangle: hit.triangle,
             material: facet.material,
         }
     }
@@ -207,6 +225,26 @@ impl World {
     pub fn facet(&self, instance: u32, triangle: u32) -> (&Facet, &Finish) {
         let facet = self.facets.get(instance, triangle);
         (facet, &self.finishes[facet.material as usize])
+    }
+
+    /// What textures and vertex colours make of a hit's finish and of its shading normal on the front side.
+    #[inline(never)]
+    fn painted<'w>(
+        &'w self,
+        hit: &Hit,
+        facet: &Facet,
+        finish: &'w Finish,
+        shading: Vec3,
+    ) -> (Coat<'w>, Vec3) {
+        let material = &self.scene.materials[facet.material as usize];
+        let Some(spot) = self.scene.spot(hit.instance, hit.triangle, hit.u, hit.v) else {
+            return (Coat::Plain(finish), shading);
+        };
+        let bent = material.maps.normal.as_ref().map_or(shading, |map| {
+            let transform = &self.scene.instances[hit.instance as usize].transform;
+            relief::bent(&spot, map, transform, &facet.corners, facet.normal, shading)
+        });
+        (Coat::Own(finish.at(material, &spot)), bent)
     }
 
     /// True where nothing blocks the way from `from` to a light.
@@ -227,7 +265,8 @@ impl World {
         let Some(k) = self.emitter_of(surface) else { return 0.0 };
         let distance = (surface.position - x).length();
         let cosine = surface.normal.dot(surface.wo).abs();
-        self.shares[k as usize] * self.emitters[k as usize].pdf(x, distance, cosine)
+        let Emitter::Side(side) = &self.emitters[k as usize] else { return 0.0 };
+        self.shares[k as usize] * (distance * distance / (cosine * side.area_around(surface.triangle)))
     }
 
     /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
@@ -240,8 +279,8 @@ impl World {
             }
         }
         if let (Some(k), true) = (self.environment, t_max == f32::INFINITY) {
-            let pdf = self.shares[k as usize] * self.emitters[k as usize].pdf(origin, t_max, 1.0);
-            let radiance = self.scene.environment;
+            let (radiance, pdf) = self.emitters[k as usize].around(direction);
+            let pdf = self.shares[k as usize] * pdf;
             see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
         }
     }
@@ -255,7 +294,9 @@ impl World {
     fn measure_surfaces(&mut self) {
         let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (mut area, mut reflected) = (0.0_f64, 0.0_f64);
-        for (_, facet) in self.facets.iter() {
+        let albedo = |(f, m): (&Finish, _)| f.mean_albedo(m, &self.scene);
+        let albedos: Vec<f32> = self.finishes.iter().zip(&self.scene.materials).map(albedo).collect();
+        for (_, _, facet) in self.facets.iter() {
             let [a, b, c] = facet.corners;
             let a2 = f64::from((b - a).cross(c - a).length());
             if !a2.is_finite() {
@@ -264,10 +305,8 @@ impl World {
             for p in [a, b, c] {
                 (lo, hi) = (lo.min(p), hi.max(p));
             }
-            let finish = &self.finishes[facet.material as usize];
-            let rho = finish.sharp + finish.dull;
             area += 0.5 * a2;
-            reflected += 0.5 * a2 * f64::from(rho.luminance().clamp(0.0, 1.0));
+            reflected += 0.5 * a2 * f64::from(albedos[facet.material as usize]);
         }
         for light in self.scene.lights.iter().filter(|l| l.is_sound()) {
             if let Some((p, r)) = light.extent() {
@@ -289,34 +328,31 @@ impl World {
     fn gather_emissive_sides(&mut self) {
         // Grouped in order of first appearance: emitters are numbered by the scene alone.
         let mut order: Vec<(u32, u32)> = Vec::new();
-        let mut groups: HashMap<(u32, u32), Vec<GlowingTriangle>> = HashMap::new();
-        for (instance, facet) in self.facets.iter() {
+        let mut groups: HashMap<(u32, u32), (Vec<GlowingTriangle>, Vec<u32>)> = HashMap::new();
+        for (instance, triangle, facet) in self.facets.iter() {
             if self.finishes[facet.material as usize].emission.is_black() || facet.normal == Vec3::ZERO {
                 continue;
             }
             let key = (instance, facet.material);
-            groups
-                .entry(key)
-                .or_insert_with(|| {
-                    order.push(key);
-                    Vec::new()
-                })
-                .push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
+            let (triangles, numbers) = groups.entry(key).or_insert_with(|| {
+                order.push(key);
+                Default::default()
+            });
+            triangles.push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
+            numbers.push(triangle);
         }
         for key in order {
-            let finish = &self.finishes[key.1 as usize];
-            let front = groups.remove(&key).unwrap_or_default();
-            let (radiance, both) = (finish.emission, finish.both_sides_glow);
+            let (front, numbers) = groups.remove(&key).unwrap_or_default();
+            let both = self.finishes[key.1 as usize].both_sides_glow;
             let back =
                 front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
-            let mut number = |side: Option<EmissiveSide>| {
+            let sides = [front, back].map(|triangles| emissive_side(&self.scene, key, triangles, &numbers));
+            let numbers = sides.map(|side| {
                 side.map(|side| {
                     self.emitters.push(Emitter::Side(side));
                     self.emitters.len() as u32 - 1
                 })
-            };
-            let numbers =
-                [number(EmissiveSide::new(radiance, front)), number(EmissiveSide::new(radiance, back))];
+            });
             self.sides.insert(key, numbers);
         }
     }
@@ -324,7 +360,7 @@ impl World {
     /// Shares by power; the two sides of one surface split theirs by what a pilot finds before each of them.
     fn share_out(&mut self) {
         let mut weights: Vec<f64> =
-            self.emitters.iter().map(|e| f64::from(e.power(self.bounds).luminance().max(0.0))).collect();
+            self.emitters.iter().map(|e| f64::from(e.importance(self.bounds))).collect();
         for sides in self.sides.values() {
             if let [Some(front), Some(back)] = *sides {
                 let (f, b) = (self.openness(front), self.openness(back));
@@ -356,5 +392,61 @@ impl World {
             (t / reach).min(1.0)
         };
         (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
+    }
+}
+
+/// Which triangles of a mesh may have holes.
+fn screened(scene: &Scene, mesh: &Mesh, least: &mut Least<'_>) -> Vec<bool> {
+    if mesh.materials.iter().all(|k| scene.materials[*k as usize].coverage == Coverage::Full) {
+        return Vec::new();
+    }
+    let mut known = HashMap::new();
+    let mut holes = |k: &u32| {
+        let material = &scene.materials[*k as usize];
+        *known.entry(*k).or_insert_with(|| least.may_have_holes(material, mesh))
+    };
+    mesh.materials.iter().map(&mut holes).collect()
+}
+
+/// Does light pass through a hit of a surface that is not all there? What is there in part is a screen of holes finer
+/// than any ray: the bits of a hit say by their hash whether it met one.
+fn is_hole(scene: &Scene, instance: u32, triangle: u32, u: f32, v: f32) -> bool {
+    let Some(spot) = scene.spot(instance, triangle, u, v) else { return false };
+    let Some(material) = spot.mesh.materials.get(triangle as usize) else { return false };
+    let coverage = spot.coverage(&scene.materials[*material as usize]);
+    let place = [instance, triangle, u.to_bits(), v.to_bits()].into_iter().fold(SCREEN, sequence::hash);
+    coverage <= sequence::unit_f32(place)
+}
+
+/// One side of the triangles of an instance and material, by their numbers in the mesh.
+fn emissive_side(
+    scene: &Arc<Scene>,
+    (instance, material): (u32, u32),
+    triangles: Vec<GlowingTriangle>,
+    numbers: &[u32],
+) -> Option<EmissiveSide> {
+    let m = &scene.materials[material as usize];
+    if m.maps.emission.is_none() && m.coverage == Coverage::Full {
+        return EmissiveSide::new(m.emission, triangles);
+    }
+    let numbers = numbers[..triangles.len()].to_vec();
+    let means: Vec<Rgb> = numbers.iter().map(|k| scene.mean_emission(instance, *k, m)).collect();
+    let scene = scene.clone();
+    EmissiveSide::painted(triangles, numbers, &means, m.emission.luminance(), move |triangle, u, v| {
+        let spot = scene.spot(instance, triangle, u, v);
+        spot.map_or(Rgb::BLACK, |spot| spot.emission(&scene.materials[material as usize]))
+    })
+}
+
+/// What surrounds a scene.
+fn environment(scene: &Scene) -> Option<Emitter> {
+    let radiance = scene.environment;
+    match scene.environment_image.and_then(|k| scene.images.get(k as usize)) {
+        _ if radiance.is_black() => None,
+        None => Some(Emitter::Environment { radiance }),
+        Some(picture) => {
+            let up = scene.up.and_then(|up| up.try_normalize()).unwrap_or(Vec3::Y);
+            Sky::new(picture, radiance, up).map(|sky| Emitter::Sky(Arc::new(sky)))
+        }
     }
 }

@@ -7,7 +7,7 @@ mod common;
 
 use common::{Rng, kernels, shapes, tracer};
 use glam::{Affine3A, Mat3, Quat, Vec3};
-use lampyris::geometry::{LANES, MeshGeometry, Placement, Ray, SurfacePoint, Tracer};
+use lampyris::geometry::{LANES, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
 
 fn signed(rng: &mut Rng) -> Vec3 {
     rng.vector() * 2.0 - 1.0
@@ -29,7 +29,8 @@ fn rays_never_hit_the_surface_they_leave() {
     while rays < 1_000_000 {
         let mut coordinate = || 10f32.powi(rng.below(17) as i32 - 8) * (rng.unit() * 2.0 - 1.0);
         let corners = [0; 3].map(|_| Vec3::new(coordinate(), coordinate(), coordinate()));
-        let mesh = MeshGeometry { positions: &corners, triangles: &[[0, 1, 2]], one_sided: &[] };
+        let mesh =
+            MeshGeometry { positions: &corners, triangles: &[[0, 1, 2]], one_sided: &[], screened: &[] };
         let tracer = Tracer::build(&[mesh], &[Placement { mesh: 0, transform: Affine3A::IDENTITY }]);
         let n = normal(&corners);
         for _ in 0..100 {
@@ -97,8 +98,12 @@ fn sharing(scale: f32, offset: Vec3) {
     let mut rng = Rng::new(9);
     let shape = shapes(1.0, Vec3::ZERO).swap_remove(0);
     let one_sided: Vec<bool> = shape.triangles.iter().map(|_| rng.below(3) == 0).collect();
-    let mesh =
-        MeshGeometry { positions: &shape.positions, triangles: &shape.triangles, one_sided: &one_sided };
+    let mesh = MeshGeometry {
+        positions: &shape.positions,
+        triangles: &shape.triangles,
+        one_sided: &one_sided,
+        screened: &[],
+    };
     let transforms: Vec<Affine3A> = (0..12)
         .map(|i| {
             let mirror = if i % 3 == 0 { -1.0 } else { 1.0 };
@@ -138,7 +143,8 @@ fn sharing(scale: f32, offset: Vec3) {
 #[test]
 fn the_back_of_a_one_sided_triangle_lets_pass() {
     let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
-    let mesh = MeshGeometry { positions: &positions, triangles: &[[0, 1, 2]], one_sided: &[true] };
+    let mesh =
+        MeshGeometry { positions: &positions, triangles: &[[0, 1, 2]], one_sided: &[true], screened: &[] };
     let mirror = Affine3A::from_scale(Vec3::new(1.0, 1.0, -1.0));
     for kernel in kernels() {
         for (transform, front) in [(Affine3A::IDENTITY, 1.0), (mirror, -1.0)] {
@@ -171,7 +177,7 @@ fn bad_input_is_left_out_and_counted() {
     let positions =
         [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(nan, 0.0, 0.0), Vec3::new(0.0, inf, 0.0), Vec3::splat(1e19)];
     let triangles = [[0, 1, 2], [0, 1, 3], [0, 1, 4], [0, 1, 5], [0, 0, 1], [1, 1, 1], [0, 1, 99], [0, 1, 2]];
-    let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[] };
+    let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[], screened: &[] };
     let place = |mesh: u32, transform: Affine3A| Placement { mesh, transform };
     let singular = Affine3A::from_mat3(Mat3::from_diagonal(Vec3::new(1.0, 0.0, 1.0)));
     let broken = Affine3A::from_translation(Vec3::new(nan, 0.0, 0.0));
@@ -204,4 +210,106 @@ fn bad_input_is_left_out_and_counted() {
     assert_eq!(empty.closest(&down), None);
     assert_eq!(empty.occluded16(Vec3::ZERO, &[[1.0; LANES]; 3], u16::MAX), 0);
     assert_eq!(empty.bounds(), None);
+}
+
+/// Which hits of the test go through, from the bits of all that is known of them.
+fn holed(instance: u32, triangle: u32, u: f32, v: f32) -> bool {
+    let mix = |a: u32, b: u32| (a ^ b).wrapping_mul(0x9e37_79b9).rotate_left(15);
+    [instance, triangle, u.to_bits(), v.to_bits()].into_iter().fold(1, mix).count_ones() % 2 == 0
+}
+
+/// Screens of all sorts of meshes, shared or not: all kernels and all ways to ask give the answer of a walk that steps
+/// from hit to hit through the whole surfaces.
+#[test]
+fn screens_are_the_same_to_every_ray() {
+    let mut rng = Rng::new(11);
+    let shape = shapes(1.0, Vec3::ZERO).swap_remove(0);
+    let flags = |one: usize, rng: &mut Rng| -> Vec<bool> {
+        shape.triangles.iter().map(|_| rng.below(3) == one).collect()
+    };
+    let (one_sided, screened) = (flags(0, &mut rng), flags(1, &mut rng));
+    let mesh = MeshGeometry {
+        positions: &shape.positions,
+        triangles: &shape.triangles,
+        one_sided: &one_sided,
+        screened: &screened,
+    };
+    let transforms: Vec<Affine3A> = (0..6)
+        .map(|i| {
+            let mirror = if i % 2 == 0 { -1.0 } else { 1.0 };
+            let turn = Quat::from_axis_angle(signed(&mut rng).normalize(), rng.unit() * 6.0);
+            Affine3A::from_scale_rotation_translation(
+                Vec3::new(mirror, 0.7, 1.2),
+                turn,
+                signed(&mut rng) * 2.0,
+            )
+        })
+        .collect();
+    let place = |mesh: fn(u32) -> u32| -> Vec<Placement> {
+        transforms.iter().zip(0..).map(|(t, i)| Placement { mesh: mesh(i), transform: *t }).collect()
+    };
+    let screen = Screen::new(holed);
+    let with_holes = |meshes: &[MeshGeometry<'_>], places: &[Placement], kernel| {
+        Tracer::with_screen(meshes, places, &screen).with_kernel(kernel).expect("available")
+    };
+    let oracle = with_holes(&[mesh; 6], &place(|i| i), kernels()[0]);
+    // Of single triangles: what a screen asks of them, the ray's own hits say.
+    let whole = MeshGeometry { screened: &[], ..mesh };
+    let alone: Vec<Tracer> = (transforms.iter())
+        .flat_map(|t| (0..shape.triangles.len()).map(move |k| (t, k)))
+        .map(|(t, k)| {
+            let one =
+                MeshGeometry { triangles: &shape.triangles[k..=k], one_sided: &one_sided[k..=k], ..whole };
+            Tracer::build(&[one], &[Placement { mesh: 0, transform: *t }])
+        })
+        .collect();
+    let stepwise = |ray: &Ray| -> Option<(f32, u32, u32)> {
+        let hits = alone.iter().enumerate().filter_map(|(k, tracer)| {
+            let count = shape.triangles.len();
+            let (instance, triangle) = ((k / count) as u32, (k % count) as u32);
+            let hit = tracer.closest(ray)?;
+            let open = screened[triangle as usize] && holed(instance, triangle, hit.u, hit.v);
+            (!open).then_some((hit.t, instance, triangle))
+        });
+        hits.min_by(|a, b| a.partial_cmp(b).expect("finite"))
+    };
+    let tracers: Vec<_> = kernels()
+        .into_iter()
+        .map(|kernel| {
+            let flat = with_holes(&[mesh; 6], &place(|i| i), kernel);
+            (kernel, [flat, with_holes(&[mesh], &place(|_| 0), kernel)])
+        })
+        .collect();
+    let (mut met, mut passed) = (0, 0);
+    let all = Tracer::build(&[whole; 6], &place(|i| i));
+    for i in 0..2_000 {
+        let origin = signed(&mut rng) * 4.0;
+        let towards = signed(&mut rng) * 2.0;
+        let targets: [[f32; LANES]; 3] = [0, 1, 2].map(|a| [0; LANES].map(|_| towards[a] + 0.3 * rng.unit()));
+        let directions = [0, 1, 2].map(|a| targets[a].map(|t| t - origin[a]));
+        let ray = Ray::new(origin, towards - origin);
+        let expected = oracle.closest(&ray);
+        if i < 200 {
+            assert_eq!(expected.map(|h| (h.t, h.instance, h.triangle)), stepwise(&ray));
+        }
+        met += u32::from(expected.is_some());
+        passed += u32::from(expected != all.closest(&ray));
+        let sixteen = oracle.closest16(origin, &directions, u16::MAX);
+        let blocked = oracle.occluded16(origin, &targets, u16::MAX);
+        for l in 0..LANES {
+            let target = Vec3::new(targets[0][l], targets[1][l], targets[2][l]);
+            assert_eq!(sixteen.get(l), oracle.closest(&Ray::new(origin, target - origin)));
+            assert_eq!(blocked >> l & 1 == 1, oracle.blocked(origin, target));
+        }
+        for (kernel, tracers) in &tracers {
+            for tracer in tracers {
+                assert_eq!(tracer.closest(&ray), expected, "{kernel:?}");
+                assert_eq!(tracer.closest16(origin, &directions, u16::MAX), sixteen, "{kernel:?}");
+                assert_eq!(tracer.occluded16(origin, &targets, u16::MAX), blocked, "{kernel:?}");
+                assert_eq!(tracer.occluded(&ray), expected.is_some());
+                assert_eq!(tracer.blocked(origin, towards), oracle.blocked(origin, towards));
+            }
+        }
+    }
+    assert!(met > 1_000 && passed > 100, "{met} {passed}");
 }

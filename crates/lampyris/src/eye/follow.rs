@@ -82,7 +82,7 @@ pub(super) fn follow(
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
             *emission += throughput * surface.emission() * weight;
         }
-        match next(surface.finish, numbers, vertex) {
+        match next(&surface.finish, numbers, vertex) {
             Next::Lost => return None,
             Next::Ends(weight) => {
                 return Some(Ended { direction: ray.direction, hit: at, throughput: throughput * weight });

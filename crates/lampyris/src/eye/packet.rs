@@ -177,7 +177,8 @@ impl<'w> Packet<'w> {
             for k in lanes(hits.hit) {
                 let (facet, finish) = world.facet(hits.instance[k], hits.triangle[k]);
                 // A body of glass may have absorbed some of the light on its way here.
-                if !facet.is_flat() || !finish.emission.is_black() || finish.bsdf.is_solid_interface() {
+                let odd = finish.painted || finish.bsdf.is_solid_interface();
+                if odd || !facet.is_flat() || !finish.emission.is_black() {
                     continue;
                 }
                 if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {
@@ -206,7 +207,7 @@ impl<'w> Packet<'w> {
     }
 
     fn end_on(&mut self, k: usize, surface: &Surface<'_>) {
-        self.note(k, surface.finish);
+        self.note(k, &surface.finish);
         let p = surface.spawn(surface.wo);
         for axis in 0..3 {
             self.position[axis][k] = p[axis];

@@ -6,6 +6,7 @@ pub mod frame;
 mod offset;
 mod packet;
 pub mod ray;
+mod screen;
 mod tracer;
 
 pub use bvh::Kernel;
@@ -14,4 +15,5 @@ pub use offset::SurfacePoint;
 pub(crate) use offset::{ERROR, away};
 pub use packet::{Hits16, LANES};
 pub use ray::{Hit, Ray};
+pub use screen::Screen;
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};

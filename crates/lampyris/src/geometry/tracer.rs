@@ -3,7 +3,7 @@
 //! neither materials nor light, and a change of the scene builds it anew.
 
 use super::bvh::{Best, Bounds, End, Hierarchy, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
-use super::{Hit, Ray};
+use super::{Hit, Ray, Screen};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
 
@@ -16,6 +16,8 @@ pub struct MeshGeometry<'a> {
     pub triangles: &'a [[u32; 3]],
     /// Triangles whose back lets rays pass (one-sided surfaces); none where it is empty.
     pub one_sided: &'a [bool],
+    /// Triangles that may have holes, of which a [`Screen`] knows; none where it is empty.
+    pub screened: &'a [bool],
 }
 
 /// A mesh in its place.
@@ -71,8 +73,13 @@ struct Instance {
 const FARTHEST: f32 = 1.8e18;
 
 impl Tracer {
-    /// Builds the trees, in parallel, the same for any number of threads.
+    /// Builds the trees, in parallel, the same for any number of threads. Nothing has holes.
     pub fn build(meshes: &[MeshGeometry<'_>], instances: &[Placement]) -> Tracer {
+        Tracer::with_screen(meshes, instances, &Screen::default())
+    }
+
+    /// [`Tracer::build`] for meshes whose screened triangles have the holes that `screen` says. Every ray respects them.
+    pub fn with_screen(meshes: &[MeshGeometry<'_>], instances: &[Placement], screen: &Screen) -> Tracer {
         let mut uses = vec![0u32; meshes.len()];
         let mut report = Report::default();
         let usable: Vec<(u32, &Placement)> =
@@ -90,7 +97,7 @@ impl Tracer {
         }
         report.triangles = flat.len() as u64;
         report.dropped_triangles -= report.triangles;
-        let flat = Tree::new(&flat);
+        let flat = Tree::new(&flat, screen);
 
         let mut trees = vec![u32::MAX; meshes.len()];
         let mut several = Vec::new();
@@ -102,7 +109,7 @@ impl Tracer {
             .into_par_iter()
             .map(|mesh| {
                 let primitives: Vec<Primitive> = primitives(mesh, 0, &Affine3A::IDENTITY).collect();
-                Shared { tree: Tree::new(&primitives), triangles: primitives.len() as u64 }
+                Shared { tree: Tree::new(&primitives, screen), triangles: primitives.len() as u64 }
             })
             .collect();
 
@@ -309,12 +316,14 @@ fn primitives(
         let corners = [position(vertices[0])?, position(vertices[1])?, position(vertices[2])?];
         let near = corners.iter().all(|c| c.abs().max_element() <= FARTHEST && c.is_finite());
         let culled = mesh.one_sided.get(number).copied().unwrap_or(false);
+        let screened = mesh.screened.get(number).copied().unwrap_or(false);
         (near && Plane::new(&corners, corners[0]).normal != [0.0; 3]).then_some(Primitive {
             corners,
             instance,
             triangle: number as u32,
             culled,
             mirrored,
+            screened,
         })
     })
 }

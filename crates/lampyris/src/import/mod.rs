@@ -2,7 +2,7 @@
 
 mod files;
 mod gltf;
-mod images;
+pub mod image;
 mod lines;
 mod mgf;
 mod name;
@@ -14,6 +14,8 @@ mod report;
 
 use crate::error::{Error, Result};
 use crate::scene::Scene;
+use crate::texture::Image;
+use image::Gate;
 use std::path::{Path, PathBuf};
 
 /// A scene, and what was odd about its file.
@@ -74,6 +76,10 @@ pub struct Limits {
     pub libraries: u64,
     /// Bytes in one line of OBJ or MTL.
     pub line_bytes: u64,
+    /// Pixels of one picture.
+    pub image_pixels: u64,
+    /// Bytes of all pictures, decoded.
+    pub image_bytes: u64,
 }
 
 impl Default for Limits {
@@ -92,6 +98,8 @@ impl Default for Limits {
             objects: 1_000_000,
             libraries: 64,
             line_bytes: lines::LINE_BYTES as u64,
+            image_pixels: 1 << 28,
+            image_bytes: 4 << 30,
         }
     }
 }
@@ -112,6 +120,18 @@ pub const FORMATS: &[Format] = &[
     Format { extensions: &["mgf"], name: "Materials and Geometry Format", load: mgf::load },
     Format { extensions: &["obj"], name: "Wavefront OBJ with MTL", load: obj::load },
 ];
+
+/// Reads a picture that no scene names, as an environment.
+///
+/// # Errors
+/// [`Error::CannotRead`] for what is no picture, [`Error::OverLimit`] for one that is too large.
+pub fn picture(path: &Path, options: &Options) -> Result<Image> {
+    let (root, file) = files::Root::new(path, &Options { root: None, ..options.clone() })?;
+    let bytes = root.read(&file)?;
+    let admitted = Gate::new(options.limits).admit(&bytes).map_err(|refusal| refusal.into_error(path))?;
+    let name = path.file_name().map(|n| n.to_string_lossy()).unwrap_or_default();
+    admitted.decode(&name).map_err(|reason| Error::CannotRead { file: path.into(), reason })
+}
 
 /// Loads a scene file by its extension.
 pub fn load(path: &Path, options: &Options) -> Result<Loaded> {

@@ -3,12 +3,13 @@
 //! multiple importance sampling (`toward`, `pdf`). Choosing among emitters is the world's business.
 
 use super::surface::EmissiveSide;
-use super::{Beam, Light, LightKind};
+use super::{Beam, Light, LightKind, Sky};
 use crate::color::Rgb;
 use crate::geometry::Frame;
 use crate::sampling::{concentric_disc, cosine_hemisphere, cosine_power, uniform_cap, uniform_sphere};
 use glam::Vec3;
 use std::f32::consts::{FRAC_1_PI, PI, TAU};
+use std::sync::Arc;
 
 /// A light source with everything that sampling needs.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub enum Emitter {
         /// Radiance [cd/m²].
         radiance: Rgb,
     },
+    /// The environment by picture.
+    Sky(Arc<Sky>),
 }
 
 /// A particle that leaves a light.
@@ -31,6 +34,8 @@ pub struct Departure {
     pub origin: Vec3,
     /// Unit direction.
     pub direction: Vec3,
+    /// What it stands for, were it the only one [lm].
+    pub flux: Rgb,
 }
 
 /// A point of a light as the gather sees it.
@@ -102,6 +107,15 @@ impl Emitter {
             }
             Emitter::Side(side) => side.radiance * (PI * side.area),
             Emitter::Environment { radiance } => *radiance * (4.0 * PI * disc),
+            Emitter::Sky(sky) => sky.light() * disc,
+        }
+    }
+
+    /// The flux that its share of the paths should follow [lm]: more than nothing where there may be light.
+    pub fn importance(&self, bounds: Bounds) -> f32 {
+        match self {
+            Emitter::Side(side) => side.importance(),
+            _ => self.power(bounds).luminance().max(0.0),
         }
     }
 
@@ -128,43 +142,51 @@ impl Emitter {
     }
 
     /// A particle of the emitter's light: place by `u[0..2]`, direction by `u[2..4]`, so distributed that each
-    /// particle carries the same flux, the emitter's power.
+    /// particle carries the same flux, the emitter's power; nearly the same where a picture says how it glows.
     pub fn emit(&self, u: [f32; 4], bounds: Bounds) -> Departure {
         let (place, turn) = ([u[0], u[1]], [u[2], u[3]]);
+        let departure =
+            |origin: Vec3, direction: Vec3| Departure { origin, direction, flux: self.power(bounds) };
         let from_infinity = |travel: Vec3| {
             let f = Frame::new(travel);
             let [x, y] = concentric_disc(place);
-            Departure {
-                origin: bounds.center + (f.s * x + f.t * y - travel) * bounds.radius,
-                direction: travel,
-            }
+            departure(bounds.center + (f.s * x + f.t * y - travel) * bounds.radius, travel)
         };
         match self {
-            Emitter::Lamp(LightKind::Point { position, .. }) => {
-                Departure { origin: *position, direction: uniform_sphere(turn) }
-            }
+            Emitter::Lamp(LightKind::Point { position, .. }) => departure(*position, uniform_sphere(turn)),
             Emitter::Lamp(LightKind::Spot { position, direction, beam, .. }) => {
-                Departure { origin: *position, direction: Frame::new(*direction).to_world(beam.sample(turn)) }
+                departure(*position, Frame::new(*direction).to_world(beam.sample(turn)))
             }
             Emitter::Lamp(LightKind::Directional { direction, .. }) => from_infinity(*direction),
             Emitter::Environment { .. } => from_infinity(uniform_sphere(turn)),
+            Emitter::Sky(sky) => {
+                let (toward, pdf) = sky.sample(turn);
+                let disc = PI * bounds.radius * bounds.radius;
+                Departure { flux: sky.radiance(toward) * (disc / pdf), ..from_infinity(-toward) }
+            }
             Emitter::Lamp(LightKind::Sphere { center, radius, .. }) => {
                 let n = uniform_sphere(place);
-                leave(*center + n * *radius, n, turn)
+                departure(*center + n * *radius, leave(n, turn))
             }
             Emitter::Lamp(LightKind::Disc { center, normal, radius, .. }) => {
-                leave(on_disc(*center, *normal, *radius, place), *normal, turn)
+                departure(on_disc(*center, *normal, *radius, place), leave(*normal, turn))
             }
             Emitter::Side(side) => {
-                let (p, n) = side.point(place);
-                leave(p, n, turn)
+                let p = side.point(place);
+                let flux = p.radiance * (PI * p.area);
+                Departure { origin: p.position, direction: leave(p.normal, turn), flux }
             }
         }
     }
 
     /// The point of the emitter that `u` places: the start of `emit` with the same two numbers.
     pub fn point(&self, u: [f32; 2]) -> LightPoint {
-        match self {
+        self.chosen(u).0
+    }
+
+    /// [`Self::point`], and one over the density of the choice [m²; sr for distant light]; 0 where there is but one.
+    fn chosen(&self, u: [f32; 2]) -> (LightPoint, f32) {
+        let point = match self {
             Emitter::Lamp(LightKind::Point { position, intensity }) => {
                 LightPoint { position: *position, shine: Shine::Isotropic, intensity: *intensity }
             }
@@ -190,15 +212,25 @@ impl Emitter {
                 intensity: *radiance * self.area(),
             },
             Emitter::Side(side) => {
-                let (position, n) = side.point(u);
-                LightPoint { position, shine: Shine::Lambert(n), intensity: side.radiance * side.area }
+                let p = side.point(u);
+                let intensity = p.radiance * p.area;
+                return (
+                    LightPoint { position: p.position, shine: Shine::Lambert(p.normal), intensity },
+                    p.area,
+                );
             }
-            Emitter::Environment { radiance } => LightPoint {
-                position: uniform_sphere(u),
-                shine: Shine::Distant,
-                intensity: *radiance * (4.0 * PI),
-            },
-        }
+            Emitter::Sky(sky) => {
+                let (position, pdf) = sky.sample(u);
+                let intensity = sky.radiance(position) * (1.0 / pdf);
+                return (LightPoint { position, shine: Shine::Distant, intensity }, 1.0 / pdf);
+            }
+            Emitter::Environment { radiance } => {
+                let position = uniform_sphere(u);
+                let intensity = *radiance * (4.0 * PI);
+                return (LightPoint { position, shine: Shine::Distant, intensity }, 4.0 * PI);
+            }
+        };
+        (point, self.area())
     }
 
     /// A direction from `x` toward the emitter, by `u`; `None` where it shines away from `x`.
@@ -217,10 +249,9 @@ impl Emitter {
                 pdf: 1.0 / solid_angle,
             });
         }
-        let point = self.point(u);
+        let (point, around) = self.chosen(u);
         if let Shine::Distant = point.shine {
-            let pdf =
-                if matches!(self, Emitter::Environment { .. }) { 0.25 * FRAC_1_PI } else { f32::INFINITY };
+            let pdf = 1.0 / around;
             return Some(Arrival { wi: point.position, end: None, weight: point.intensity, pdf });
         }
         let d = point.position - x;
@@ -232,7 +263,7 @@ impl Emitter {
         let (share, pdf) = match point.shine {
             Shine::Lambert(n) => {
                 let cos = -n.dot(wi);
-                (cos, d2 / (cos * self.area()))
+                (cos, d2 / (cos * around))
             }
             Shine::Beam(axis, beam) => (beam.profile(-axis.dot(wi)), f32::INFINITY),
             _ => (1.0, f32::INFINITY),
@@ -246,17 +277,28 @@ impl Emitter {
     }
 
     /// The density of `toward` [sr⁻¹] for the emitter's point that lies `distance` away and is met under
-    /// `cosine` (of the angle between the ray back and the emitter's normal there).
+    /// `cosine` (of the angle between the ray back and the emitter's normal there). Pictures need more to tell:
+    /// [`Self::around`] and [`EmissiveSide::area_around`].
     pub fn pdf(&self, x: Vec3, distance: f32, cosine: f32) -> f32 {
         match self {
             Emitter::Lamp(LightKind::Sphere { center, radius, .. }) => {
                 cap_of_sphere(*center - x, *radius).map_or(0.0, |height| 1.0 / (TAU * height))
             }
             Emitter::Environment { .. } => 0.25 * FRAC_1_PI,
+            Emitter::Sky(_) => 0.0,
             Emitter::Lamp(LightKind::Disc { .. }) | Emitter::Side(_) => {
                 distance * distance / (cosine * self.area())
             }
             Emitter::Lamp(_) => 0.0,
+        }
+    }
+
+    /// Radiance from a direction in which nothing is met [cd/m²], and the density of `toward` there [sr⁻¹].
+    pub fn around(&self, direction: Vec3) -> (Rgb, f32) {
+        match self {
+            Emitter::Environment { radiance } => (*radiance, 0.25 * FRAC_1_PI),
+            Emitter::Sky(sky) => (sky.radiance(direction), sky.pdf(direction)),
+            _ => (Rgb::BLACK, 0.0),
         }
     }
 
@@ -334,9 +376,9 @@ impl From<&Light> for Emitter {
     }
 }
 
-/// A departure from an area element with Lambertian radiance.
-fn leave(origin: Vec3, n: Vec3, u: [f32; 2]) -> Departure {
-    Departure { origin, direction: Frame::new(n).to_world(cosine_hemisphere(u)) }
+/// A direction away from an area element with Lambertian radiance.
+fn leave(n: Vec3, u: [f32; 2]) -> Vec3 {
+    Frame::new(n).to_world(cosine_hemisphere(u))
 }
 
 fn on_disc(center: Vec3, normal: Vec3, radius: f32, u: [f32; 2]) -> Vec3 {

@@ -3,9 +3,11 @@
 //! [`crate::material::Material`]; the world gathers them as lights of their own.
 
 mod emitter;
+mod sky;
 mod surface;
 
 pub use emitter::{Arrival, Bounds, Departure, Emitter, LightPoint, Shine};
+pub use sky::Sky;
 pub use surface::{EmissiveSide, GlowingTriangle};
 
 use crate::color::Rgb;

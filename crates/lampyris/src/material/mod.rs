@@ -98,7 +98,7 @@ pub enum Sides {
 }
 
 /// The closed set of scattering functions.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Bsdf {
     /// Lambertian reflection and transmission.
     Diffuse(Diffuse),

@@ -1,12 +1,14 @@
 //! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
 
 mod camera;
+mod paint;
 mod sight;
 mod summary;
 mod upward;
 mod viewpoint;
 
 pub use camera::{Camera, View};
+pub(crate) use paint::{Least, Spot};
 pub use sight::Seen;
 pub use summary::Summary;
 pub use upward::upward;
@@ -30,8 +32,11 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Light sources beside the emissive surfaces.
     pub lights: Vec<Light>,
-    /// Radiance of the constant environment [cd/m²]; black for none.
+    /// Radiance of the environment [cd/m²]; black for none. It multiplies `environment_image`, where there is one.
     pub environment: Rgb,
+    /// Which of the images surrounds the scene: a map of longitude and latitude, its upper edge along `up`, or +y where
+    /// that is not stated. Then its middle lies at −z and its right quarter at +x. Bytes are sRGB.
+    pub environment_image: Option<u32>,
     /// Pictures that textures and environment are made of.
     pub images: Vec<Image>,
     /// Textures that materials name by index.

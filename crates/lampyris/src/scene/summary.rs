@@ -20,7 +20,7 @@ pub struct Summary {
     pub area: f64,
     /// Area of the triangles that emit, one side counted [m²].
     pub emitting_area: f64,
-    /// Σ π·L·A over all sides that emit [lm], L the luminance; lights that are no surfaces not counted.
+    /// Σ π·L·A over all sides that emit [lm], L the mean luminance; lights that are no surfaces not counted.
     pub power_lm: f64,
     /// Σ π·L·A with each emitting triangle counted once [lm].
     pub power_lm_front: f64,
@@ -33,10 +33,10 @@ impl Scene {
     pub fn summary(&self) -> Summary {
         let names: HashSet<&str> = self.materials.iter().map(|m| m.name.as_str()).collect();
         let mut sum = Summary { materials: names.len(), lights: self.lights.len(), ..Summary::default() };
-        for instance in &self.instances {
+        for (number, instance) in (0..).zip(&self.instances) {
             let Some(mesh) = self.meshes.get(instance.mesh as usize) else { continue };
             let mut emitting = HashSet::new();
-            for (triangle, &material) in mesh.triangles.iter().zip(&mesh.materials) {
+            for ((k, triangle), &material) in (0..).zip(&mesh.triangles).zip(&mesh.materials) {
                 let corner = |k: usize| mesh.positions.get(triangle[k] as usize);
                 let (Some(&a), Some(&b), Some(&c)) = (corner(0), corner(1), corner(2)) else { continue };
                 let Some(surface) = self.materials.get(material as usize) else { continue };
@@ -47,7 +47,8 @@ impl Scene {
                 let [low, high] = sum.bounds.unwrap_or([a, a]);
                 sum.bounds = Some([low.min(a).min(b).min(c), high.max(a).max(b).max(c)]);
                 if !surface.emission.is_black() {
-                    let power = PI * f64::from(surface.emission.luminance()) * area;
+                    let radiance = self.mean_emission(number, k, surface).luminance();
+                    let power = PI * f64::from(radiance) * area;
                     sum.emitting_area += area;
                     sum.power_lm_front += power;
                     sum.power_lm += if surface.sides == Sides::Both { 2.0 * power } else { power };

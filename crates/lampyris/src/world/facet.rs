@@ -64,11 +64,12 @@ impl Facets {
         &self.facets[(self.first[instance as usize] + triangle) as usize]
     }
 
-    /// Every triangle: (instance, facet).
-    pub fn iter(&self) -> impl Iterator<Item = (u32, &Facet)> {
+    /// Every triangle: (instance, triangle, facet).
+    pub fn iter(&self) -> impl Iterator<Item = (u32, u32, &Facet)> {
         let end = |i: usize| self.first.get(i + 1).map_or(self.facets.len(), |e| *e as usize);
-        (0..self.first.len())
-            .flat_map(move |i| self.facets[self.first[i] as usize..end(i)].iter().map(move |f| (i as u32, f)))
+        (0..self.first.len()).flat_map(move |i| {
+            (0..).zip(&self.facets[self.first[i] as usize..end(i)]).map(move |(k, f)| (i as u32, k, f))
+        })
     }
 
     /// Unit shading normal at barycentric (u, v), on the front side.

@@ -7,7 +7,7 @@
 //! What a body of glass absorbs is asked at its interface: a straight way runs inside a body if either of its ends lies
 //! on the inner side of one. (Of a way between two things cast into the same glass no end knows.)
 
-use super::finish::{Finish, WHITE};
+use super::finish::{Coat, WHITE};
 use crate::color::Rgb;
 use crate::geometry::{Frame, SurfacePoint};
 use crate::material::{Bsdf, Class, Scatter, Transport};
@@ -27,11 +27,13 @@ pub struct Surface<'w> {
     /// Unit direction back along the ray that met the surface.
     pub wo: Vec3,
     /// Material.
-    pub finish: &'w Finish,
+    pub finish: Coat<'w>,
     /// True if `wo` is on the front side.
     pub front: bool,
     /// Which instance of the scene.
     pub instance: u32,
+    /// Which triangle of its mesh.
+    pub triangle: u32,
     /// Which material of the scene.
     pub material: u32,
 }
@@ -45,9 +47,10 @@ impl<'w> Surface<'w> {
             shading: normal,
             wo: normal,
             error: Vec3::ZERO,
-            finish: &WHITE,
+            finish: Coat::Plain(&WHITE),
             front: true,
             instance: u32::MAX,
+            triangle: u32::MAX,
             material: u32::MAX,
         }
     }

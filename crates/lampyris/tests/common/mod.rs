@@ -47,7 +47,12 @@ pub fn kernels() -> Vec<Kernel> {
 }
 
 pub fn tracer(shape: &Shape) -> Tracer {
-    let mesh = MeshGeometry { positions: &shape.positions, triangles: &shape.triangles, one_sided: &[] };
+    let mesh = MeshGeometry {
+        positions: &shape.positions,
+        triangles: &shape.triangles,
+        one_sided: &[],
+        screened: &[],
+    };
     Tracer::build(&[mesh], &[Placement { mesh: 0, transform: Affine3A::IDENTITY }])
 }
 

@@ -41,6 +41,7 @@ pub(super) use slab::Slab;
 pub(super) use triangle::Plane;
 
 use super::packet::{LANES, lane, lanes};
+use super::screen::Screen;
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
 use triangle::{Crossing, Shear, crossing, pierced};
@@ -84,6 +85,8 @@ pub(super) struct Block {
     culled: u8,
     /// Bit set: the transform mirrors, the front is seen clockwise.
     mirrored: u8,
+    /// Bit set: the tree's screen is asked whether the triangle is there at all.
+    screened: u8,
 }
 
 /// One triangle on its way into a tree.
@@ -94,6 +97,7 @@ pub(super) struct Primitive {
     pub(super) triangle: u32,
     pub(super) culled: bool,
     pub(super) mirrored: bool,
+    pub(super) screened: bool,
 }
 
 /// A hierarchy over triangles.
@@ -101,6 +105,7 @@ pub(super) struct Primitive {
 pub(super) struct Tree {
     hierarchy: Hierarchy,
     blocks: Vec<Block>,
+    screen: Screen,
 }
 
 /// The place of an instance whose mesh is shared: its triangles are moved into the world as they are met, by the
@@ -210,12 +215,12 @@ impl Kernel {
 }
 
 impl Tree {
-    pub(super) fn new(primitives: &[Primitive]) -> Tree {
+    pub(super) fn new(primitives: &[Primitive], screen: &Screen) -> Tree {
         let bounds: Vec<Bounds> = primitives.iter().map(|p| Bounds::of(&p.corners)).collect();
         let (hierarchy, leaves) = build(&bounds, WIDTH);
         let blocks =
             leaves.iter().map(|leaf| Block::new(leaf.iter().map(|&i| &primitives[i as usize]))).collect();
-        Tree { hierarchy, blocks }
+        Tree { hierarchy, blocks, screen: screen.clone() }
     }
 
     pub(super) fn bounds(&self) -> Bounds {
@@ -337,6 +342,7 @@ impl Block {
             triangle: [0; WIDTH],
             culled: 0,
             mirrored: 0,
+            screened: 0,
         };
         for (i, p) in primitives.enumerate() {
             for (corner, position) in p.corners.iter().enumerate() {
@@ -348,6 +354,7 @@ impl Block {
             block.triangle[i] = p.triangle;
             block.culled |= u8::from(p.culled) << i;
             block.mirrored |= u8::from(p.mirrored) << i;
+            block.screened |= u8::from(p.screened) << i;
         }
         block
     }
@@ -385,23 +392,29 @@ impl Block {
         moved
     }
 
-    /// Where the line meets triangle `i`, unless that lets it pass.
-    fn crossing(&self, i: usize, line: &Line) -> Option<Crossing> {
-        let (c, front) = crossing(&self.corners(i), line.origin, line.direction, &line.shear)?;
-        (!self.passes(i, front)).then_some(c)
+    /// Is there a hole in triangle `i`?
+    #[inline(always)]
+    fn open(&self, i: usize, u: f32, v: f32, screen: &Screen) -> bool {
+        self.screened >> i & 1 == 1 && screen.open(self.instance[i], self.triangle[i], u, v)
     }
 
-    fn offer(&self, i: usize, line: &Line, best: &mut Best) {
-        if let Some(c) = self.crossing(i, line) {
+    /// Where the line meets triangle `i`, unless that lets it pass.
+    fn crossing(&self, i: usize, line: &Line, screen: &Screen) -> Option<Crossing> {
+        let (c, front) = crossing(&self.corners(i), line.origin, line.direction, &line.shear)?;
+        (!self.passes(i, front) && !self.open(i, c.u, c.v, screen)).then_some(c)
+    }
+
+    fn offer(&self, i: usize, line: &Line, screen: &Screen, best: &mut Best) {
+        if let Some(c) = self.crossing(i, line, screen) {
             best.offer(c, self.instance[i], self.triangle[i]);
         }
     }
 
-    fn blocks(&self, i: usize, line: &Line, end: End) -> bool {
+    fn blocks(&self, i: usize, line: &Line, end: End, screen: &Screen) -> bool {
         match end {
-            End::Distance(t_max) => self.crossing(i, line).is_some_and(|c| c.t < t_max),
+            End::Distance(t_max) => self.crossing(i, line, screen).is_some_and(|c| c.t < t_max),
             End::Point(target) => pierced(&self.corners(i), line.origin, target, &line.shear)
-                .is_some_and(|front| !self.passes(i, front)),
+                .is_some_and(|(front, [u, v])| !self.passes(i, front) && !self.open(i, u, v, screen)),
         }
     }
 }

@@ -17,7 +17,7 @@ pub(super) fn closest(tree: &Tree, ray: &Ray, placed: Option<(&Placed, &Slab)>, 
             None => block,
         };
         for i in 0..WIDTH {
-            block.offer(i, &line, best);
+            block.offer(i, &line, &tree.screen, best);
         }
         best.t
     });
@@ -35,9 +35,9 @@ pub(super) fn occluded(tree: &Tree, ray: &Ray, end: End, placed: Option<(&Placed
         hit = match placed {
             Some((place, _)) => {
                 let moved = block.placed(place);
-                (0..WIDTH).any(|i| moved.blocks(i, &line, end))
+                (0..WIDTH).any(|i| moved.blocks(i, &line, end, &tree.screen))
             }
-            None => (0..WIDTH).any(|i| block.blocks(i, &line, end)),
+            None => (0..WIDTH).any(|i| block.blocks(i, &line, end, &tree.screen)),
         };
         if hit { f32::NEG_INFINITY } else { t_max }
     });

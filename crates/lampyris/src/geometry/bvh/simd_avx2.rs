@@ -6,6 +6,7 @@ use super::slab::STRETCH;
 use super::triangle::{Crossing, TINY};
 use super::{Best, Block, End, Hierarchy, LEAF, Line, Node, Placed, STACK, Slab, Tree, WIDTH};
 use crate::geometry::Ray;
+use crate::geometry::screen::Screen;
 use glam::Vec3;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
@@ -24,7 +25,7 @@ pub(super) fn closest(tree: &Tree, ray: &Ray, placed: Option<(&Placed, &Slab)>, 
             }
             None => block,
         };
-        offer(block, &lanes, &line, best);
+        offer(block, &lanes, &line, &tree.screen, best);
         best.t
     });
 }
@@ -48,7 +49,7 @@ pub(super) fn occluded(tree: &Tree, ray: &Ray, end: End, placed: Option<(&Placed
             }
             None => block,
         };
-        hit = blocks(block, &lanes, &line, end);
+        hit = blocks(block, &lanes, &line, end, &tree.screen);
         if hit { f32::NEG_INFINITY } else { t_max }
     });
     hit
@@ -304,7 +305,7 @@ struct Tested {
     z: [__m256; 3],
     /// Least and largest height along the ray.
     z_range: [__m256; 2],
-    /// Lanes pierced for certain, and lanes that need f64 to tell.
+    /// Lanes pierced for certain, and lanes that need f64 or a screen to tell.
     pierced: u32,
     unsure: u32,
 }
@@ -343,13 +344,13 @@ fn test<const ANY: bool>(block: &Block, lanes: &Lanes) -> Option<Tested> {
     ];
     let ahead = _mm256_cmp_ps::<_CMP_GT_OQ>(z_range[1], zero);
     let possible = _mm256_movemask_ps(_mm256_and_ps(agreed, ahead)) as u32;
-    let unsure = _mm256_movemask_ps(unsure) as u32;
+    let unsure = _mm256_movemask_ps(unsure) as u32 | u32::from(block.screened);
     Some(Tested { e, det, z, z_range, pierced: possible & !unsure, unsure: possible & unsure })
 }
 
 #[inline]
 #[target_feature(enable = "avx2,bmi1,popcnt")]
-fn offer(block: &Block, lanes: &Lanes, line: &Line, best: &mut Best) {
+fn offer(block: &Block, lanes: &Lanes, line: &Line, screen: &Screen, best: &mut Best) {
     let Some(tested) = test::<false>(block, lanes) else { return };
     if tested.pierced != 0 {
         let (t, u, v) = distances(&tested, line.shear.sz);
@@ -368,7 +369,7 @@ fn offer(block: &Block, lanes: &Lanes, line: &Line, best: &mut Best) {
         }
     }
     for i in bits(tested.unsure) {
-        block.offer(i, line, best);
+        block.offer(i, line, screen, best);
     }
 }
 
@@ -389,7 +390,7 @@ fn distances(tested: &Tested, sz: f32) -> (__m256, __m256, __m256) {
 
 #[inline]
 #[target_feature(enable = "avx2,bmi1,popcnt")]
-fn blocks(block: &Block, lanes: &Lanes, line: &Line, end: End) -> bool {
+fn blocks(block: &Block, lanes: &Lanes, line: &Line, end: End, screen: &Screen) -> bool {
     let Some(tested) = test::<true>(block, lanes) else { return false };
     let pierced = tested.pierced & visible(block, &tested, line);
     let (candidates, doubtful, beyond) = match end {
@@ -410,7 +411,7 @@ fn blocks(block: &Block, lanes: &Lanes, line: &Line, end: End) -> bool {
     let doubtful = candidates & doubtful;
     candidates != doubtful
         || (doubtful != 0 && doubtful & sides(block, doubtful, line.origin, beyond) != 0)
-        || bits(tested.unsure).any(|i| block.blocks(i, line, end))
+        || bits(tested.unsure).any(|i| block.blocks(i, line, end, screen))
 }
 
 /// Lanes that do not meet the back of a one-sided triangle.

@@ -7,6 +7,7 @@ use super::packet::{Packet, PacketBest};
 use super::triangle::{Crossing, Plane, TINY, in_front, separates};
 use super::{Block, End, Hierarchy, Kernel, LEAF, STACK, Tree, WIDTH};
 use crate::geometry::packet::{LANES, lane, lanes};
+use crate::geometry::screen::Screen;
 use glam::Vec3;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
@@ -64,7 +65,7 @@ fn occluded(tree: &Tree, packet: &Packet, targets: &[[f32; LANES]; 3]) -> u16 {
         let block = &tree.blocks[leaf as usize];
         let (relative, survivors) = beam.cull(block);
         for i in lanes(u16::from(survivors)) {
-            let tested = test(&relative, i, packet, mask);
+            let tested = test(&relative, i, packet, mask, block.screened);
             if tested.pierced | tested.unsure == 0 {
                 continue;
             }
@@ -78,7 +79,9 @@ fn occluded(tree: &Tree, packet: &Packet, targets: &[[f32; LANES]; 3]) -> u16 {
                 }
             }
             for l in lanes(tested.unsure) {
-                hit |= u16::from(block.blocks(i, &packet.line(l), End::Point(lane(targets, l)))) << l;
+                hit |=
+                    u16::from(block.blocks(i, &packet.line(l), End::Point(lane(targets, l)), &tree.screen))
+                        << l;
             }
             mask &= !hit;
             *alive &= !hit;
@@ -104,12 +107,12 @@ fn closest(tree: &Tree, packet: &Packet, best: &mut PacketBest) {
         let (relative, survivors) = beam.cull(block);
         let mut nearer = false;
         for i in lanes(u16::from(survivors)) {
-            let tested = test(&relative, i, packet, mask);
+            let tested = test(&relative, i, packet, mask, block.screened);
             let near = tested.pierced & visible(block, i, packet, tested.det);
             if near | tested.unsure == 0 {
                 continue;
             }
-            nearer |= offer(block, i, packet, &tested, near, best);
+            nearer |= offer(block, i, packet, &tested, near, &tree.screen, best);
         }
         if nearer {
             *limit = _mm512_add_ps(load16(&best.t), slack);
@@ -126,6 +129,7 @@ fn offer(
     packet: &Packet,
     tested: &Tested,
     near: u16,
+    screen: &Screen,
     best: &mut PacketBest,
 ) -> bool {
     let inverse = _mm512_div_ps(_mm512_set1_ps(1.0), tested.det);
@@ -158,7 +162,7 @@ fn offer(
     blend_u32(&mut best.triangle, nearer, block.triangle[i]);
     best.found |= nearer;
     for l in lanes(tested.unsure) {
-        if let Some(crossing) = block.crossing(i, &packet.line(l)) {
+        if let Some(crossing) = block.crossing(i, &packet.line(l), screen) {
             best.offer(l, crossing, block.instance[i], block.triangle[i]);
         }
     }
@@ -352,14 +356,14 @@ struct Tested {
     z: [f32; 3],
     /// Least and largest height along the rays.
     z_range: [f32; 2],
-    /// Lanes that pierce for certain, and lanes that need f64 to tell.
+    /// Lanes that pierce for certain, and lanes that need f64 or a screen to tell.
     pierced: u16,
     unsure: u16,
 }
 
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-fn test(relative: &Relative, i: usize, packet: &Packet, mask: u16) -> Tested {
+fn test(relative: &Relative, i: usize, packet: &Packet, mask: u16, screened: u8) -> Tested {
     let z = three!(k => relative[3 * k + 2][i]);
     let (sx, sy) = (load16(&packet.sx), load16(&packet.sy));
     let shear = |k: usize, s: __m512, z: f32| {
@@ -382,7 +386,8 @@ fn test(relative: &Relative, i: usize, packet: &Packet, mask: u16) -> Tested {
     if possible != 0 {
         let none = |a: __m512| _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, zero);
         let tiny = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(_mm512_abs_ps(det), _mm512_set1_ps(TINY));
-        unsure = possible & (none(e[0]) | none(e[1]) | none(e[2]) | tiny);
+        let asked = if screened >> i & 1 == 1 { u16::MAX } else { 0 };
+        unsure = possible & (none(e[0]) | none(e[1]) | none(e[2]) | tiny | asked);
     }
     Tested { e, det, z, z_range, pierced: possible & !unsure, unsure }
 }

@@ -19,6 +19,7 @@ fn primitive(corners: [Vec3; 3], triangle: u32) -> Primitive {
         triangle,
         culled: triangle.is_multiple_of(5),
         mirrored: triangle.is_multiple_of(7),
+        screened: false,
     }
 }
 
@@ -67,7 +68,7 @@ fn walks_agree_with_brute_force() {
     let (mut hits, mut blocked) = (0, 0);
     for count in [1, 7, 8, 9, 100, 3000] {
         let soup = soup(count, &mut state);
-        let tree = Tree::new(&soup);
+        let tree = Tree::new(&soup, &Screen::default());
         for _ in 0..(300_000 / (count as usize + 100)) {
             let origin = if random(&mut state) < 0.5 {
                 target(&soup, &mut state)
@@ -95,8 +96,9 @@ fn walks_agree_with_brute_force() {
                 let mut best = Best::none(f32::INFINITY);
                 for block in &tree.blocks {
                     for k in 0..WIDTH {
-                        block.offer(k, &line, &mut best);
-                        stopped |= u16::from(block.blocks(k, &line, End::Point(lane(i)))) << i;
+                        block.offer(k, &line, &Screen::default(), &mut best);
+                        stopped |=
+                            u16::from(block.blocks(k, &line, End::Point(lane(i)), &Screen::default())) << i;
                     }
                 }
                 expected[i] = best.hit();
@@ -163,7 +165,7 @@ fn the_tree_does_not_depend_on_threads() {
     let soup = soup(30_000, &mut 3);
     let build = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        format!("{:?}", pool.install(|| Tree::new(&soup)))
+        format!("{:?}", pool.install(|| Tree::new(&soup, &Screen::default())))
     };
     let one = build(1);
     assert!(one == build(2) && one == build(7));
@@ -177,7 +179,7 @@ fn moved_blocks_are_moved_as_glam_moves_points() {
         vector(&mut state) * 1e3,
     );
     let soup = soup(8, &mut state);
-    let tree = Tree::new(&soup);
+    let tree = Tree::new(&soup, &Screen::default());
     let moved = tree.blocks[0].placed(&Placed { instance: 4, transform, mirrored: true });
     for i in 0..WIDTH {
         let corners = tree.blocks[0].corners(i).map(|c| transform.transform_point3(c));

@@ -122,14 +122,19 @@ pub(super) fn crossing(
     Some((Crossing { t, u: b[1], v: b[2] }, positive != s.negative))
 }
 
-/// Does the open segment from `origin` to `target` pierce the triangle? `Some(true)` if from the front.
-/// `s` is the shear of `target - origin`.
-pub(super) fn pierced(corners: &[Vec3; 3], origin: Vec3, target: Vec3, s: &Shear) -> Option<bool> {
+/// Does the open segment from `origin` to `target` pierce the triangle? If so, whether from the front, and the weights of
+/// the second and third corner there. `s` is the shear of `target - origin`.
+pub(super) fn pierced(
+    corners: &[Vec3; 3],
+    origin: Vec3,
+    target: Vec3,
+    s: &Shear,
+) -> Option<(bool, [f32; 2])> {
     let p = shear(corners, origin, s);
-    let (_, positive) = weights(&p)?;
+    let (b, positive) = weights(&p)?;
     let end = target.to_array()[s.kz] - origin.to_array()[s.kz];
     between(&p.z, end, s.negative, || separates(&Plane::new(corners, origin), target))
-        .then_some(positive != s.negative)
+        .then_some((positive != s.negative, [b[1], b[2]]))
 }
 
 /// Three heights on one side of zero say where the meeting is: it lies among them. Else the plane decides.

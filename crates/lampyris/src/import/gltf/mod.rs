@@ -58,7 +58,7 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Loaded> {
         notes.warn("nodes", "no node of the scene places a mesh: there is nothing to see");
     }
     let buffers = Buffers::open(&document, parts.binary, &root, &file);
-    let (images, numbers) = pictures::read(&document, &buffers, &root, &file, &mut notes);
+    let (images, numbers) = pictures::read(&document, &buffers, &root, &file, limits, &mut notes)?;
     let mut textures = Textures::new(&document, &numbers);
     let (materials, surfaces) = textures.materials(&worn(&document, &placement.meshes), &mut notes);
     let mut scene = Scene {

@@ -6,7 +6,7 @@ use crate::color::Rgb;
 use crate::error::Result;
 use crate::import::Limits;
 use crate::import::files::Root;
-use crate::import::images::decode;
+use crate::import::image::{Gate, Refusal};
 use crate::import::lines::{Place, TooLong, next_line, words};
 use crate::import::name::clipped;
 use crate::import::notes::Notes;
@@ -24,8 +24,10 @@ pub(super) struct Into<'a> {
     pub(super) names: &'a mut HashMap<String, u32>,
     pub(super) root: &'a Root,
     pub(super) limits: &'a Limits,
+    /// Counts what pictures take.
+    pub(super) gate: &'a mut Gate,
     /// Pictures met before, and what became of them.
-    pub(super) images: HashMap<PathBuf, Option<u32>>,
+    pub(super) images: &'a mut HashMap<PathBuf, Option<u32>>,
 }
 
 impl Into<'_> {
@@ -45,7 +47,7 @@ impl Into<'_> {
             let Some(keyword) = words(text).next().filter(|w| !w.starts_with('#')) else { continue };
             let rest = text[keyword.len()..].trim();
             if keyword == "newmtl" {
-                self.close(open.take(), file, &place, notes);
+                self.close(open.take(), file, &place, notes)?;
                 open = Some((rest.to_owned(), Surface::default()));
             } else if let Some((_, surface)) = &mut open {
                 match set(surface, keyword, rest) {
@@ -57,29 +59,36 @@ impl Into<'_> {
                 notes.warn(&place, "a line before the first newmtl");
             }
         }
-        self.close(open.take(), file, &shown, notes);
-        Ok(())
+        self.close(open.take(), file, &shown, notes)
     }
 
     /// A material is complete.
-    fn close(&mut self, done: Option<(String, Surface)>, file: &Path, place: &str, notes: &mut Notes) {
-        let Some((name, surface)) = done else { return };
+    fn close(
+        &mut self,
+        done: Option<(String, Surface)>,
+        file: &Path,
+        place: &str,
+        notes: &mut Notes,
+    ) -> Result<()> {
+        let Some((name, surface)) = done else { return Ok(()) };
         if self.names.contains_key(&name) {
             notes.warn(place, "a material defined twice; the first is used");
-            return;
+            return Ok(());
         }
         let (mut material, mended) = surface.to_material(clipped(&name));
         if let Some(mended) = mended {
             notes.warn(place, mended);
         }
-        let mut map =
-            |source: &Option<Source>, encoding| self.map(source.as_ref()?, encoding, file, place, notes);
-        material.maps.color = map(&surface.map_kd, Encoding::Srgb);
-        material.maps.emission = map(&surface.map_ke, Encoding::Srgb);
-        material.maps.alpha = map(&surface.map_d, Encoding::Linear);
-        material.maps.normal = map(&surface.norm, Encoding::Linear).map(|m| (m, 1.0));
+        let mut map = |source: &Option<Source>, encoding| match source {
+            Some(source) => self.map(source, encoding, file, place, notes),
+            None => Ok(None),
+        };
+        material.maps.color = map(&surface.map_kd, Encoding::Srgb)?;
+        material.maps.emission = map(&surface.map_ke, Encoding::Srgb)?;
+        material.maps.alpha = map(&surface.map_d, Encoding::Linear)?;
+        material.maps.normal = map(&surface.norm, Encoding::Linear)?.map(|m| (m, 1.0));
         if let (None, Some(bump)) = (&surface.norm, &surface.bump)
-            && let Some(bumpy) = map(&surface.bump, Encoding::Linear)
+            && let Some(bumpy) = map(&surface.bump, Encoding::Linear)?
         {
             // The same word names heights and normals; the first are grey.
             let image = self.scene.textures[bumpy.texture as usize].image as usize;
@@ -91,6 +100,7 @@ impl Into<'_> {
         }
         self.names.insert(name, self.scene.materials.len() as u32);
         self.scene.materials.push(material);
+        Ok(())
     }
 
     /// A picture as a texture; a warning where it cannot be had.
@@ -101,11 +111,16 @@ impl Into<'_> {
         file: &Path,
         place: &str,
         notes: &mut Notes,
-    ) -> Option<Map> {
-        let image = self.image(source, file).unwrap_or_else(|why| {
-            notes.warn(place, &format!("{why}; the material's factors stand for it"));
-            None
-        })?;
+    ) -> Result<Option<Map>> {
+        let image = match self.image(source, file) {
+            Ok(Some(image)) => image,
+            Ok(None) => return Ok(None),
+            Err(Refusal::Unreadable(why)) => {
+                notes.warn(place, &format!("{why}; the material's factors stand for it"));
+                return Ok(None);
+            }
+            Err(over) => return Err(over.into_error(file)),
+        };
         let wrap = if source.clamp { Wrap::Clamp } else { Wrap::Repeat };
         let texture = Texture { image, encoding, wrap: [wrap; 2], filter: Filter::Linear };
         let textures = &mut self.scene.textures;
@@ -113,18 +128,23 @@ impl Into<'_> {
             textures.push(texture);
             textures.len() - 1
         });
-        Some(Map { texture: number as u32, set: 0, transform: Affine2::IDENTITY })
+        Ok(Some(Map { texture: number as u32, set: 0, transform: Affine2::IDENTITY }))
     }
 
-    fn image(&mut self, source: &Source, file: &Path) -> std::result::Result<Option<u32>, String> {
-        let path = self.root.resolve(file, &source.file)?;
+    /// The number of a picture; `None` for one that was refused before.
+    fn image(&mut self, source: &Source, file: &Path) -> std::result::Result<Option<u32>, Refusal> {
+        let path = self.root.resolve(file, &source.file).map_err(Refusal::Unreadable)?;
         if let Some(known) = self.images.get(&path) {
             return Ok(*known);
         }
         self.images.insert(path.clone(), None);
-        let bytes = self.root.read(&path).map_err(|e| e.to_string())?;
-        let mut image = decode(&bytes).map_err(|e| format!("{}: {e}", quote(&source.file)))?;
-        image.name = clipped(&source.file).to_owned();
+        let bytes = self.root.read(&path).map_err(|e| Refusal::Unreadable(e.to_string()))?;
+        let named = |why| Refusal::Unreadable(format!("{}: {why}", quote(&source.file)));
+        let admitted = self.gate.admit(&bytes).map_err(|refusal| match refusal {
+            Refusal::Unreadable(why) => named(why),
+            over => over,
+        })?;
+        let image = admitted.decode(clipped(&source.file)).map_err(named)?;
         let number = self.scene.images.len() as u32;
         self.scene.images.push(image);
         self.images.insert(path, Some(number));

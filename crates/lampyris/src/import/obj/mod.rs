@@ -6,6 +6,7 @@ mod library;
 mod material;
 
 use super::files::Root;
+use super::image::Gate;
 use super::lines::{Place, TooLong, next_line, words};
 use super::name::clipped;
 use super::notes::Notes;
@@ -33,6 +34,8 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Loaded> {
         scene: Scene { up: Some(Vec3::Y), ..Scene::default() },
         materials: HashMap::new(),
         libraries: Vec::new(),
+        gate: Gate::new(options.limits),
+        images: HashMap::new(),
         current: None,
         object: String::new(),
         group: String::new(),
@@ -54,6 +57,9 @@ struct Reader<'a> {
     /// Materials by name; a name defined twice means the first.
     materials: HashMap<String, u32>,
     libraries: Vec<PathBuf>,
+    gate: Gate,
+    /// Pictures met before, and what became of them.
+    images: HashMap<PathBuf, Option<u32>>,
     /// Material of the faces that follow.
     current: Option<u32>,
     object: String,
@@ -229,7 +235,8 @@ impl Reader<'_> {
                 names: &mut self.materials,
                 root: &self.root,
                 limits: self.limits,
-                images: HashMap::new(),
+                gate: &mut self.gate,
+                images: &mut self.images,
             };
             into.read(&path, &bytes, &mut self.notes)?;
         }

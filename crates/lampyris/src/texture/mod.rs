@@ -1,5 +1,12 @@
 //! Pictures on surfaces: pixels, and how a place in the unit square looks them up.
 //! Values multiply the factors of a material; which factor a texture feeds, the material says.
+//!
+//! There are no smaller copies of an image for distant surfaces: the many samples of a pixel are the filter.
+
+mod lookup;
+mod srgb;
+
+pub use srgb::linear;
 
 use serde::{Deserialize, Serialize};
 
