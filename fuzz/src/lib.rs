@@ -1,27 +1,21 @@
-//! What the targets share: bytes become files, files become scenes, small scenes become pictures of 8 × 8 pixels.
+//! What the targets share: bytes become scenes and pictures, and small scenes are rendered.
 //! Any bytes may be refused; none may panic, take long, fill the memory or give a scene or a picture that is unsound.
 //! `fuzz/run` builds and runs the targets.
 
+mod render;
 mod sound;
 
-use lampyris::backend::{Backend, Batch, Settings};
-use lampyris::cpu::Cpu;
-use lampyris::eye::Eye;
+use lampyris::import::image::Gate;
 use lampyris::import::{self, Limits, Options};
-use lampyris::scene::{Scene, View, find_view};
-use lampyris::world::World;
 use peak_alloc::PeakAlloc;
-use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// Triangles up to which a scene is rendered.
-const SMALL: usize = 2000;
-
-/// Bytes that loading may hold, and for each of the input's.
+/// Bytes that reading may hold, and for each of the input's.
 const MEMORY_LIMIT: (usize, usize) = (64 << 20, 64);
 
 /// Divides an input into a scene's file and another one that it may name.
@@ -34,10 +28,17 @@ static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     folder
 });
 
-thread_local! {
-    /// One thread, kept: more of them would only make runs differ.
-    static CPU: RefCell<Cpu> = RefCell::new(Cpu::new(Some(1)).expect("a thread"));
-}
+/// Lets panics unwind, since those of foreign decoders are caught on their way; tells of each place once. Those that are
+/// not caught end the target.
+static PANICS: LazyLock<()> = LazyLock::new(|| {
+    let seen = Mutex::new(BTreeSet::new());
+    std::panic::set_hook(Box::new(move |panic| {
+        let place = panic.location().map(ToString::to_string).unwrap_or_default();
+        if seen.lock().unwrap_or_else(PoisonError::into_inner).insert(place) {
+            eprintln!("{panic}");
+        }
+    }));
+});
 
 /// What may be asked for while fuzzing: enough to reach all code, and what is refused is refused early.
 fn options() -> Options {
@@ -45,6 +46,10 @@ fn options() -> Options {
         triangles: 20_000,
         entities: 20_000,
         array: 5_000,
+        nodes: 5_000,
+        instances: 5_000,
+        image_pixels: 1 << 18,
+        image_bytes: 16 << 20,
         ..Limits::default()
     };
     Options { limits, circle_steps: 8, ..Options::default() }
@@ -52,49 +57,38 @@ fn options() -> Options {
 
 /// Loads an input as the file `name`; what follows a line `%%%` is the file `other` beside it.
 pub fn scene(name: &str, other: &str, input: &[u8]) {
+    LazyLock::force(&PANICS);
     let at = input.windows(MARKER.len()).position(|w| w == MARKER);
     let (main, rest) = at.map_or((input, &input[..0]), |at| (&input[..at + 1], &input[at + MARKER.len()..]));
     let path = FOLDER.join(name);
     std::fs::write(&path, main).expect("room for a file");
     std::fs::write(FOLDER.join(other), rest).expect("room for a file");
-    let loaded = CPU.with_borrow(|cpu| frugal(input, || cpu.install(|| import::load(&path, &options()))));
-    match loaded {
+    match frugal(input, || import::load(&path, &options())) {
         Ok(loaded) => {
             sound::check(&loaded.scene);
-            render(loaded.scene, input.len());
+            render::render(loaded.scene, input.len());
         }
         Err(error) => assert!(error.to_string().len() < 4000, "a message to read: {error}"),
     }
 }
 
-/// Does something within the memory that `input` justifies.
-fn frugal<R>(input: &[u8], work: impl FnOnce() -> R) -> R {
+/// Reads an input as a picture of any format, and renders in the light of a small one.
+pub fn picture(input: &[u8]) {
+    LazyLock::force(&PANICS);
+    let read =
+        || Gate::new(options().limits).admit(input).ok().and_then(|admitted| admitted.decode("picture").ok());
+    if let Some(image) = frugal(input, read) {
+        sound::check_image(&image);
+        render::render_in_light_of(image, input.len());
+    }
+}
+
+/// Does something on one thread within the memory that `input` justifies.
+fn frugal<R: Send>(input: &[u8], work: impl FnOnce() -> R + Send) -> R {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
-    let result = work();
+    let result = render::install(work);
     let (peak, (fixed, each)) = (MEMORY.peak_usage().saturating_sub(before), MEMORY_LIMIT);
     assert!(peak <= fixed + each * input.len(), "{peak} bytes of memory for {}", input.len());
     result
-}
-
-/// Renders a small scene, by the parts or by the oracle.
-fn render(scene: Scene, choice: usize) {
-    let triangles = |mesh: u32| scene.meshes[mesh as usize].triangles.len();
-    if scene.instances.iter().map(|i| triangles(i.mesh)).sum::<usize>() > SMALL {
-        return;
-    }
-    let mut settings = Settings { paths: 4, auxiliary: true, ..Settings::default() };
-    if choice % 2 == 1 {
-        settings.parts = vec!["path".into()];
-    }
-    CPU.with_borrow_mut(|cpu| {
-        let camera = scene.cameras.first().cloned();
-        let world = cpu.install(|| World::new(scene));
-        let find = || find_view(world.scene(), &|ray| world.tracer().closest(ray), 1.0).camera;
-        let camera = camera.unwrap_or_else(|| cpu.install(find));
-        cpu.begin_world(world, Eye::Camera(View::new(&camera, 8, 8)), &settings).expect("settings");
-        cpu.add(Batch { index: 0 }).expect("a job");
-        assert_eq!(cpu.statistics().non_finite, 0);
-        assert!(cpu.frame().expect("a job").mean().iter().all(|pixel| pixel.is_finite()));
-    });
 }

@@ -1,6 +1,7 @@
-//! What a loaded scene promises, whatever its file was.
+//! What scenes and pictures promise, whatever their files were.
 
 use lampyris::scene::Scene;
+use lampyris::texture::{Image, Pixels};
 
 /// Panics unless all numbers are finite and all references lead somewhere.
 pub(crate) fn check(scene: &Scene) {
@@ -20,4 +21,15 @@ pub(crate) fn check(scene: &Scene) {
         assert!((instance.mesh as usize) < scene.meshes.len() && instance.transform.is_finite());
     }
     assert!(scene.materials.iter().all(|m| m.emission.is_finite()));
+    assert!(scene.textures.iter().all(|t| (t.image as usize) < scene.images.len()));
+    scene.images.iter().for_each(check_image);
+}
+
+/// Panics unless all pixels are there.
+pub(crate) fn check_image(image: &Image) {
+    let pixels = match &image.pixels {
+        Pixels::Byte(pixels) => pixels.len(),
+        Pixels::Float(pixels) => pixels.len(),
+    };
+    assert!(pixels > 0 && pixels as u64 == u64::from(image.width) * u64::from(image.height));
 }
