@@ -63,10 +63,10 @@ pub fn scene(name: &str, other: &str, input: &[u8]) {
     let path = FOLDER.join(name);
     std::fs::write(&path, main).expect("room for a file");
     std::fs::write(FOLDER.join(other), rest).expect("room for a file");
-    match frugal(input, || import::load(&path, &options())) {
+    match frugal(input, || render::install(|| import::load(&path, &options()))) {
         Ok(loaded) => {
             sound::check(&loaded.scene);
-            render::render(loaded.scene, input.len());
+            frugal(input, || render::render(loaded.scene, input.len()));
         }
         Err(error) => assert!(error.to_string().len() < 4000, "a message to read: {error}"),
     }
@@ -77,17 +77,17 @@ pub fn picture(input: &[u8]) {
     LazyLock::force(&PANICS);
     let read =
         || Gate::new(options().limits).admit(input).ok().and_then(|admitted| admitted.decode("picture").ok());
-    if let Some(image) = frugal(input, read) {
+    if let Some(image) = frugal(input, || render::install(read)) {
         sound::check_image(&image);
-        render::render_in_light_of(image, input.len());
+        frugal(input, || render::render_in_light_of(image, input.len()));
     }
 }
 
-/// Does something on one thread within the memory that `input` justifies.
-fn frugal<R: Send>(input: &[u8], work: impl FnOnce() -> R + Send) -> R {
+/// Does something within the memory that `input` justifies.
+fn frugal<R>(input: &[u8], work: impl FnOnce() -> R) -> R {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
-    let result = render::install(work);
+    let result = work();
     let (peak, (fixed, each)) = (MEMORY.peak_usage().saturating_sub(before), MEMORY_LIMIT);
     assert!(peak <= fixed + each * input.len(), "{peak} bytes of memory for {}", input.len());
     result

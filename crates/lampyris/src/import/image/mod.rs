@@ -3,8 +3,8 @@
 //! read here first, and no decoder sees a file that asks for more than the limits grant. Admitting is cheap and in the
 //! order of the file; what was admitted may then be decoded by many threads.
 //!
-//! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats without alpha. Profiles
-//! and other metadata are skipped. A PNG that moves gives its first picture.
+//! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats from 0 to
+//! 10¹⁸ without alpha; what is no finite number is black. Profiles and other metadata are skipped. A PNG that moves gives its first picture.
 
 mod jpeg;
 mod openexr;
@@ -25,6 +25,9 @@ const SUSPICIOUS: u64 = 64 << 20;
 
 /// Largest ratio of decoded bytes to those of the file, beyond [`SUSPICIOUS`].
 const EXPANSION: u64 = 2000;
+
+/// Brightest value of a pixel, as of MGF's lamps: sums and products of it are still finite.
+const BRIGHTEST: f32 = 1e18;
 
 /// Why a picture is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -170,8 +173,12 @@ impl Admitted<'_> {
             Format::OpenExr => openexr::decode(self.bytes),
         });
         let failed = |reason| format!("{}: {reason}", self.format.name());
-        let ((width, height), pixels) =
+        let ((width, height), mut pixels) =
             decoded.unwrap_or_else(|_| Err("its decoder gave up".into())).map_err(failed)?;
+        if let Pixels::Float(pixels) = &mut pixels {
+            let bounded = |v: f32| if v.is_finite() { v.clamp(0.0, BRIGHTEST) } else { 0.0 };
+            pixels.as_flattened_mut().iter_mut().for_each(|v| *v = bounded(*v));
+        }
         Ok(Image { name: name.into(), width, height, pixels })
     }
 }
