@@ -375,7 +375,7 @@ def room():
     ceramic = f.material("ceramic", (0.55, 0.12, 0.07), roughness=0.15)
     leaves = f.material("leaves", base=f.texture("leaf.png"), alphaMode="MASK", alphaCutoff=0.5, doubleSided=True, roughness=0.55)
     curtain = f.material("curtain", (0.88, 0.86, 0.80, 0.7), alphaMode="BLEND", doubleSided=True, **matt)
-    pane = f.material("window pane", roughness=0.0, extensions=glass)
+    pane = f.material("thin glass", roughness=0.0, doubleSided=True, extensions=glass)
     table_glass = f.material("table glass", (1, 1, 1), roughness=0.0, extensions={
         **glass, "KHR_materials_volume": {"thicknessFactor": 0.012, "attenuationColor": [0.55, 0.85, 0.72], "attenuationDistance": 0.25}})
     shade = f.material("lamp shade", (0.7, 0.62, 0.5), emissiveFactor=[1, 1, 1], emissiveTexture=f.texture("glow.png"),
@@ -405,7 +405,6 @@ def room():
     frame.box((-depth, y0, z0 - t), (0.02, y1, z0)).box((-depth, y0, z1), (0.02, y1, z1 + t))
     frame.box((-0.09, y0, (z0 + z1) / 2 - 0.025), (-0.05, y1, (z0 + z1) / 2 + 0.025))
     f.place("window frame", (frame, white))
-    f.place("window pane", (Shape().quad((-0.07, y0, z1), (0, 0, z0 - z1), (0, y1 - y0, 0)), pane))
     f.place("daylight", (Shape().quad((-0.155, y0, z1), (0, 0, z0 - z1), (0, y1 - y0, 0)), daylight))
     for k, (a, b) in enumerate([(z0 - 0.25, z0 + 0.22), (z1 - 0.22, z1 + 0.25)]):
         folds = Shape()
@@ -440,14 +439,17 @@ def room():
     f.place("glass table", (plate, table_glass), (legs, brass))
     bowl = [(0.0, 0.0), (0.05, 0.0), (0.06, 0.01), (0.12, 0.05), (0.14, 0.09), (0.135, 0.09), (0.115, 0.055), (0.05, 0.018), (0.0, 0.015)]
     f.place("bowl", (Shape().turned(bowl, (2.42, 0.4325, 1.88), 32), ceramic))
+    f.place("glass bell", (Shape().turned([(0.12, 0.0), (0.12, 0.16)] + [(0.12 * math.cos(math.radians(a)) if a < 90 else 0.0,
+                                            0.16 + 0.12 * math.sin(math.radians(a))) for a in range(10, 91, 10)],
+                                           (4.7, 0.8, 1.3), 32), pane))
     f.place("glass ball", (Shape().turned(ball(0.07, 24), (2.76, 0.503, 2.02), 48), table_glass))
 
     f.place("sideboard", (Shape().box((4.45, 0.1, 1.0), (4.97, 0.8, 2.7), 0.5), walnut),
             (Shape().box((4.44, 0.13, 1.84), (4.45, 0.77, 1.855)), brass))
-    f.place("mirror", (Shape().quad((4.985, 1.0, 1.2), (0, 0, 1.3), (0, 1.1, 0)), silver))
+    f.place("mirror", (Shape().quad((3.75, 1.15, 0.02), (0.65, 0, 0), (0, 1.0, 0)), silver))
     border = Shape()
-    border.box((4.96, 0.95, 1.15), (5.0, 1.0, 2.55)).box((4.96, 2.1, 1.15), (5.0, 2.15, 2.55))
-    border.box((4.96, 1.0, 1.15), (5.0, 2.1, 1.2)).box((4.96, 1.0, 2.5), (5.0, 2.1, 2.55))
+    border.box((3.71, 1.11, 0.0), (4.44, 1.15, 0.04)).box((3.71, 2.15, 0.0), (4.44, 2.19, 0.04))
+    border.box((3.71, 1.15, 0.0), (3.75, 2.15, 0.04)).box((4.4, 1.15, 0.0), (4.44, 2.15, 0.04))
     f.place("mirror frame", (border, brass))
     picture = Shape().quad((2.05, 1.25, 0.03), (1.0, 0, 0), (0, 0.75, 0))
     moulding = Shape().box((2.0, 1.2, 0.0), (3.1, 1.25, 0.045)).box((2.0, 2.0, 0.0), (3.1, 2.05, 0.045))

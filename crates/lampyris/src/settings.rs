@@ -80,7 +80,7 @@ pub struct Rays {
     pub eye: u64,
     /// Of the particles.
     pub particle: u64,
-    /// Between a point and a light or virtual light.
+    /// Between a point and a light or virtual light, by way of a mirror too.
     pub shadow: u64,
     /// Short rays that pay back what clamping took, and the shadow rays at their ends.
     pub compensation: u64,

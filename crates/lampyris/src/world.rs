@@ -3,12 +3,14 @@
 
 mod facet;
 mod finish;
+mod mirrors;
 mod points;
 mod relief;
 mod surface;
 
 pub use facet::{Facet, Facets};
 pub use finish::{Coat, Finish};
+pub use mirrors::{Mirror, Mirrors};
 pub use points::Points;
 pub use surface::Surface;
 
@@ -33,6 +35,7 @@ pub struct World {
     scene: Arc<Scene>,
     tracer: Tracer,
     facets: Facets,
+    mirrors: Mirrors,
     finishes: Vec<Finish>,
     /// Any of the finishes has sharp lobes.
     sharp: bool,
@@ -94,9 +97,11 @@ impl World {
         for mesh in scene.meshes.iter().filter(|m| !m.colors.is_empty()) {
             mesh.materials.iter().for_each(|k| finishes[*k as usize].painted = true);
         }
+        let facets = Facets::new(&scene);
         let mut world = World {
             tracer,
-            facets: Facets::new(&scene),
+            mirrors: Mirrors::find(&facets, &scene.materials),
+            facets,
             sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &mut least)),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
@@ -180,9 +185,14 @@ impl World {
         self.glow_boxes.len() > MANY || self.glow_boxes.iter().any(near)
     }
 
-    /// True if any surface has sharp lobes: without them there are no caustics.
+    /// True if any surface has sharp lobes: without them there are no caustics and no mirrors.
     pub fn has_sharp_surfaces(&self) -> bool {
         self.sharp
+    }
+
+    /// Its planar mirrors.
+    pub fn mirrors(&self) -> &[Mirror] {
+        self.mirrors.all()
     }
 
     /// The first surface on a ray of unit direction.
@@ -217,6 +227,7 @@ impl World {
             instance: hit.instance,
             triangle: hit.triangle,
             material: facet.material,
+            mirror: self.mirrors.of(hit.instance, hit.triangle),
         }
     }
 

@@ -20,7 +20,7 @@ const TILE: u32 = 4;
 /// Tests of one scene: tiles, meters, and the whole picture.
 const TESTS: usize = 12 + 2 + 1;
 /// Scenes in this file.
-const SCENES: usize = 12;
+const SCENES: usize = 15;
 
 /// Sums over tiles of the camera's picture, then the meters, then the sum of the picture.
 fn observe(scene: &Build, eye: &Eye, meters: &Eye, s: &Settings, batches: u32) -> Vec<f64> {
@@ -144,6 +144,56 @@ fn mirror_and_glass() {
     panel(&mut b, Vec3::new(0.0, 2.9, 0.0), 2.5, 10.0);
     compare(
         "mirror and glass",
+        &b,
+        ACROSS,
+        settings(FAST, 1 << 8, 1 << 6, 0),
+        settings(ORACLE, 1, 1 << 7, 0),
+    );
+}
+
+/// A mirror for one wall, and a body close to it, whose light the clamp takes on both ways.
+#[test]
+fn mirror_wall() {
+    let mut b = Build::default();
+    let white = b.grey(0.75);
+    let red = b.material(coloured(0.6, 0.06, 0.05), 0.0, Sides::Both);
+    let mirror = b.material(gloss(0.0, 0.9, 0.0), 0.0, Sides::Both);
+    room(&mut b, [red, white, white, white, mirror, white]);
+    b.block(Vec3::new(-1.2, 0.0, -1.95), Vec3::new(-0.2, 1.5, -1.0), white);
+    panel(&mut b, Vec3::new(0.0, 2.9, -0.5), 1.5, 10.0);
+    let (fast, oracle) = usual();
+    compare("mirror wall", &b, ACROSS, fast, oracle);
+}
+
+/// Mirrors that face each other: one reflection is the part *mirror*, more of them are *caustic*.
+#[test]
+fn facing_mirrors() {
+    let mut b = Build::default();
+    let wall = b.grey(0.5);
+    let mirror = b.material(gloss(0.0, 0.8, 0.0), 0.0, Sides::Both);
+    room(&mut b, [mirror, mirror, wall, wall, wall, wall]);
+    panel(&mut b, Vec3::new(0.0, 2.9, 0.0), 2.5, 10.0);
+    let (_, oracle) = usual();
+    compare("facing mirrors", &b, ACROSS, settings(FAST, 1 << 8, 1 << 6, 0), oracle);
+}
+
+/// A varnished floor that is wall and mirror at once, a mirror in the room, a glass ball, gloss and polish.
+#[test]
+fn mirrors_glass_and_gloss() {
+    let mut b = Build::default();
+    let wall = b.grey(0.5);
+    let varnish = b.material(gloss(0.4, 0.2, 0.0), 0.0, Sides::Both);
+    let mirror = b.material(gloss(0.0, 0.9, 0.0), 0.0, Sides::Both);
+    let glossy = b.material(gloss(0.3, 0.3, 0.2), 0.0, Sides::Both);
+    let polish = b.material(gloss(0.2, 0.5, 0.1), 0.0, Sides::Both);
+    let clear = b.material(glass(), 0.0, Sides::Both);
+    room(&mut b, [glossy, wall, varnish, wall, wall, wall]);
+    b.quad(Vec3::new(-1.0, 0.2, -1.5), Vec3::X * 1.5, Vec3::new(0.0, 1.8, -0.3), mirror);
+    b.sphere(Vec3::new(0.8, 0.7, -0.6), 0.5, 3, false, |_| clear);
+    b.block(Vec3::new(-1.5, 0.0, -0.8), Vec3::new(-0.9, 0.9, -0.2), polish);
+    panel(&mut b, Vec3::new(0.0, 2.9, 0.0), 2.5, 10.0);
+    compare(
+        "mirrors, glass and gloss",
         &b,
         ACROSS,
         settings(FAST, 1 << 8, 1 << 6, 0),

@@ -1,5 +1,6 @@
-//! Light that reaches the first dull vertex over a sharp one: L (S|D)* S D S* E, by the oracle restricted to these
-//! paths. Caustics of point, spot and directional lights cannot be found this way and are missing.
+//! Light that reaches the first dull vertex over a sharp one, L (S|D)* S D S* E, unless that is a single planar mirror
+//! (the part *mirror*): by the oracle restricted to these paths. Caustics of point, spot and directional lights cannot
+//! be found this way and are missing.
 
 use super::path::{Scope, Start, trace};
 use super::{Integrator, Pass, STRIDE, turn_of};
@@ -8,7 +9,7 @@ use crate::eye::{Numbers, Tile};
 use crate::settings::Rays;
 use crate::world::{Surface, World};
 
-/// Paths L (S|D)* S D S* E.
+/// Paths L (S|D)* S D S* E, less *mirror*'s.
 pub(super) struct Caustic;
 
 impl Integrator for Caustic {
@@ -17,7 +18,7 @@ impl Integrator for Caustic {
     }
 
     fn paths(&self) -> &'static str {
-        "L (S|D)* S D S* E, less those of point, spot and directional lights before S+ x"
+        "L (S|D)* S D S* E, less mirror, and less L_point S+ D S* E"
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
@@ -38,7 +39,7 @@ impl Integrator for Caustic {
     }
 }
 
-/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex.
+/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.
 pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
     if !world.has_sharp_surfaces() {
         return Rgb::BLACK;

@@ -4,11 +4,10 @@
 //! there, and its reflected light counts with weight (G − b)/G. A ray that meets a sharp lobe returns nothing: such
 //! paths are *caustic*'s.
 
-use super::{Integrator, Pass, STRIDE, caustic, direct, gather, turn_of};
+use super::short::{Short, Way};
+use super::{Integrator, Pass, STRIDE, caustic, direct, gather, mirror, turn_of};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
-use crate::geometry::Ray;
-use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::Surface;
@@ -17,7 +16,7 @@ use crate::world::Surface;
 const MAX_VERTICES: u32 = 64;
 
 /// Virtual lights that stand for all of them at the end of a short ray.
-const VPLS: usize = 4;
+pub(super) const VPLS: usize = 4;
 
 /// Paths L (S|D)* D D S* E, beyond the clamp.
 pub(super) struct Compensation;
@@ -41,7 +40,8 @@ impl Integrator for Compensation {
                 if turn_of(pass, numbers.seed >> 8)
                     && let Some(x) = packet.visible(k)
                 {
-                    let paid = beyond_clamp(pass, x.surface, numbers.branch(b'c'.into()), rays);
+                    let paid =
+                        beyond_clamp(pass, x.surface, Way::Straight, numbers.branch(b'c'.into()), rays);
                     out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
                 }
             }
@@ -49,27 +49,36 @@ impl Integrator for Compensation {
     }
 }
 
-/// C(x, ω_o) with its recursion C(y) unrolled, continued by roulette.
-fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays: &mut Rays) -> Rgb {
+/// C(x, ω_o) with its recursion C(y) unrolled, continued by roulette; `way` is that of the first ray.
+pub(super) fn beyond_clamp<'w>(
+    pass: &Pass<'w>,
+    mut x: Surface<'w>,
+    mut way: Way,
+    numbers: Numbers,
+    rays: &mut Rays,
+) -> Rgb {
     let (world, b) = (pass.world, pass.plan.bound);
+    if b == f32::INFINITY {
+        return Rgb::BLACK;
+    }
     let reach = 1.0 / b.sqrt();
     let mut sum = Rgb::BLACK;
     let mut throughput = Rgb::WHITE;
     for vertex in 0..MAX_VERTICES {
-        let u = numbers.pair(ledger::direction(vertex));
-        let Some(s) = x.sample(Class::Dull, u, numbers.one(ledger::lobe(vertex))) else { break };
-        rays.compensation += 1;
-        let ray = Ray { origin: x.spawn(s.wi), direction: s.wi, t_max: reach };
-        let Some(y) = world.closest(&ray) else { break };
-        let distance2 = (y.position - x.position).length_squared();
-        let g = x.cosine(s.wi) * y.normal.dot(y.wo).abs() / distance2;
-        if g <= b || y.finish.dull.is_black() {
+        let Some(s) = Short::new(world, &x, way, reach, numbers, vertex, &mut rays.compensation) else {
+            break;
+        };
+        let Some(y) = s.met else { break };
+        let taken = s.taken_from(&y, b);
+        if taken == 0.0 || y.finish.dull.is_black() {
             break;
         }
-        throughput *= s.weight * y.clear_from(ray.origin, Some(&x)) * (1.0 - b / g);
+        throughput *= s.weight * s.clear_from(&y) * taken;
         // L_r(y): direct light, light over sharp vertices, clamped virtual lights, and what the clamp takes in turn.
-        let reflected = direct::at(pass, &y, numbers.branch(vertex + 1), rays)
-            + caustic::at(world, &y, numbers.branch(vertex + 1), &mut rays.compensation)
+        let branch = numbers.branch(vertex + 1);
+        let reflected = direct::at(pass, &y, branch, rays)
+            + mirror::at(pass, &y, branch.branch(b'm'.into()), rays)
+            + caustic::at(world, &y, branch, &mut rays.compensation)
             + gather::from_some_lights(
                 world,
                 &y,
@@ -84,7 +93,7 @@ fn beyond_clamp<'w>(pass: &Pass<'w>, mut x: Surface<'w>, numbers: Numbers, rays:
             break;
         }
         throughput *= 1.0 / stay;
-        x = y;
+        (x, way) = (y, Way::Either);
     }
     sum
 }

@@ -5,7 +5,7 @@
 
 use super::Pass;
 use crate::color::Rgb;
-use crate::eye::{LANES, Packet, Tile};
+use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::Ray;
 use crate::light::Shine;
 use crate::material::Class;
@@ -16,7 +16,7 @@ use std::f32::consts::FRAC_1_PI;
 
 /// Geometry × angular law of a light at a point, without visibility: lux for unit intensity, with the receiver's
 /// cosine. `normal` is the shading normal; the sign of the cosine is the caller's concern.
-fn geometry_term(light: &Vpl<'_>, x: Vec3, normal: Vec3) -> f32 {
+pub(super) fn geometry_term(light: &Vpl<'_>, x: Vec3, normal: Vec3) -> f32 {
     let d = light.position - x;
     match light.shine {
         // min(G, b) with G = cos θ_x cos θ_y / |x−y|² [Kollig and Keller 2004].
@@ -38,7 +38,7 @@ fn geometry_term(light: &Vpl<'_>, x: Vec3, normal: Vec3) -> f32 {
 }
 
 /// Unit direction from `x` toward a light.
-fn direction(light: &Vpl<'_>, x: Vec3) -> Vec3 {
+pub(super) fn direction(light: &Vpl<'_>, x: Vec3) -> Vec3 {
     match light.shine {
         Shine::Distant => light.position,
         _ => (light.position - x).normalize_or_zero(),
@@ -46,7 +46,7 @@ fn direction(light: &Vpl<'_>, x: Vec3) -> Vec3 {
 }
 
 /// Intensity of a light toward `x`: constant unless its vertex is glossy.
-fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
+pub(super) fn intensity(light: &Vpl<'_>, toward_light: Vec3) -> Rgb {
     match &light.gloss {
         Some(y) => light.intensity * y.eval(Class::Dull, -toward_light, y.wo),
         None => light.intensity,
@@ -101,10 +101,20 @@ pub fn from_some_lights(
     u: f32,
     rays: &mut u64,
 ) -> Rgb {
+    some_of(lights, most, u, |light| from_light(world, x, light, rays))
+}
+
+/// An unbiased estimate of the sum of `light_of` over all lights.
+pub(super) fn some_of<'a, 'w>(
+    lights: &'a [Vpl<'w>],
+    most: usize,
+    u: f32,
+    light_of: impl FnMut(&'a Vpl<'w>) -> Rgb,
+) -> Rgb {
     let every = lights.len().div_ceil(most).max(1);
     let start = (u * every as f32) as usize;
     let some = lights.iter().skip(start).step_by(every);
-    some.map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b) * every as f32
+    some.map(light_of).fold(Rgb::BLACK, |a, b| a + b) * every as f32
 }
 
 /// Adds what every point of a tile receives from a list of lights.
@@ -117,8 +127,30 @@ pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &m
     }
 }
 
+/// The vertices of a packet, each worked out when it is first asked for and once for all lights.
+pub(super) struct Points<'p, 'w> {
+    packet: &'p Packet<'w>,
+    known: [Option<Visible<'w>>; LANES],
+}
+
+impl<'p, 'w> Points<'p, 'w> {
+    pub(super) fn new(packet: &'p Packet<'w>) -> Points<'p, 'w> {
+        Points { packet, known: [None; LANES] }
+    }
+
+    /// The vertex of a lane.
+    pub(super) fn get(&mut self, k: usize) -> Option<&Visible<'w>> {
+        let known = &mut self.known[k];
+        if known.is_none() {
+            *known = self.packet.visible(k);
+        }
+        known.as_ref()
+    }
+}
+
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
+    let mut points = Points::new(p);
     let mut irradiance = [Rgb::BLACK; LANES];
     let mut radiance = [Rgb::BLACK; LANES];
     for light in lights {
@@ -132,13 +164,13 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
                 irradiance[k] += light.intensity * g[k];
             }
             for k in lanes(seen & !plain) {
-                if let Some(x) = p.visible(k) {
+                if let Some(x) = points.get(k) {
                     radiance[k] += reflected(&x.surface, light, g[k]);
                 }
             }
         }
         for k in lanes(p.live & !together) {
-            if let Some(x) = p.visible(k) {
+            if let Some(x) = points.get(k) {
                 radiance[k] += from_light(world, &x.surface, light, rays);
             }
         }
@@ -150,12 +182,12 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
 }
 
 /// Numbers of the bits set.
-fn lanes(mask: u16) -> impl Iterator<Item = usize> {
+pub(super) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |k| mask >> k & 1 == 1)
 }
 
 /// `geometry_term` for sixteen opaque reflectors, and the lanes where it is not zero.
-fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, of: u16) -> ([f32; LANES], u16) {
+pub(super) fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, of: u16) -> ([f32; LANES], u16) {
     if of == 0 {
         return ([0.0; LANES], 0);
     }

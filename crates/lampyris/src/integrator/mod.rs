@@ -9,7 +9,9 @@ mod compensation;
 mod direct;
 mod emission;
 pub mod gather;
+mod mirror;
 mod path;
+mod short;
 mod vpl;
 
 use crate::color::Rgb;
@@ -54,12 +56,13 @@ pub static ALL: &[&dyn Integrator] = &[
     &direct::Direct,
     &vpl::VirtualLights,
     &compensation::Compensation,
+    &mirror::Mirror,
     &caustic::Caustic,
     &path::Path,
 ];
 
 /// The parts that make the whole picture, each path once.
-pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "caustic"];
+pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "mirror", "caustic"];
 
 /// The integrators of the names given, in the order of [`ALL`].
 ///

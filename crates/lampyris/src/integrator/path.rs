@@ -1,13 +1,14 @@
 //! The oracle: a plain path tracer with next-event estimation and multiple importance sampling [Veach 1997].
 //!
 //! It sorts every contribution by the same partition as the fast parts, so that each of them has its own truth.
-//! It covers every path but caustics of point, spot and directional lights, which no path from the eye can find.
+//! It covers every path but point, spot and directional lights over sharp vertices before x, even over a planar mirror:
+//! no path from the eye can find them.
 
 use super::{Integrator, Pass};
 use crate::color::Rgb;
 use crate::eye::{Eye, Numbers, Tile, balance};
 use crate::geometry::Ray;
-use crate::material::Class;
+use crate::material::{Class, Scatter};
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::{Surface, World};
@@ -67,7 +68,7 @@ pub(super) enum Start<'w> {
 pub(super) enum Scope {
     /// All.
     Everything,
-    /// From the first dull vertex over a sharp one: the part *caustic* alone.
+    /// From the first dull vertex over a sharp one that is no single planar mirror: the part *caustic* alone.
     Caustics,
 }
 
@@ -78,12 +79,13 @@ pub(super) struct Parts {
     pub(super) direct: Rgb,
     /// *vpl* + *compensation*.
     pub(super) indirect: Rgb,
+    pub(super) mirror: Rgb,
     pub(super) caustic: Rgb,
 }
 
 impl Parts {
     fn sum(&self) -> Rgb {
-        self.emission + self.direct + self.indirect + self.caustic
+        self.emission + self.direct + self.indirect + self.mirror + self.caustic
     }
 
     fn add(&mut self, history: History, value: Rgb) {
@@ -91,6 +93,7 @@ impl Parts {
             History::Sharp => self.emission += value,
             History::First => self.direct += value,
             History::Dull => self.indirect += value,
+            History::Folded | History::Mirror => self.mirror += value,
             History::Caustic => self.caustic += value,
         }
     }
@@ -105,7 +108,11 @@ enum History {
     First,
     /// S* x D …
     Dull,
-    /// S* x S …
+    /// S* x M, a planar mirror.
+    Folded,
+    /// S* x M D …
+    Mirror,
+    /// S* x S …, S* x M S …
     Caustic,
 }
 
@@ -115,9 +122,19 @@ impl History {
             (History::Sharp, Class::Sharp) => History::Sharp,
             (History::Sharp, Class::Dull) => History::First,
             (History::First, Class::Dull) => History::Dull,
-            (History::First, Class::Sharp) => History::Caustic,
+            (History::Folded, Class::Dull) => History::Mirror,
+            (History::First | History::Folded, Class::Sharp) => History::Caustic,
             (settled, _) => settled,
         }
+    }
+
+    /// [`Self::after`] a surface that scattered light so, which may be a planar mirror.
+    fn over(self, x: &Surface<'_>, class: Class, s: &Scatter) -> History {
+        let reflected = s.pdf.is_infinite() && x.normal.dot(s.wi) > 0.0;
+        if self == History::First && x.mirror.is_some() && reflected {
+            return History::Folded;
+        }
+        self.after(class)
     }
 }
 
@@ -142,6 +159,7 @@ pub(super) fn trace(
         let Some(x) = surface else { break };
         let allowed = |class| match (scope, vertex, class) {
             (Scope::Caustics, 0, Class::Sharp) | (Scope::Caustics, 1, Class::Dull) => 0.0,
+            (Scope::Caustics, _, Class::Dull) if history == History::Folded => 0.0,
             (_, _, Class::Sharp) => x.finish.weights().0,
             (_, _, Class::Dull) => x.finish.weights().1,
         };
@@ -164,7 +182,7 @@ pub(super) fn trace(
         let u = numbers.pair(ledger::direction(vertex));
         let Some(s) = x.sample(class, u, numbers.one(ledger::lobe(vertex))) else { break };
         throughput *= s.weight * (1.0 / probability(class));
-        history = history.after(class);
+        history = history.over(&x, class, &s);
         pdf = s.pdf * probability(class);
         if vertex >= CERTAIN_VERTICES {
             let stay = throughput.max_channel().clamp(0.0, 0.98);

@@ -169,6 +169,16 @@ impl Bsdf {
         }
     }
 
+    /// Share of the light that the delta lobe of a mirror or pane reflects, met at an angle of this cosine from either
+    /// side; black without such a lobe. Solid glass does not count: its two sides differ.
+    pub fn mirror_reflectance(&self, cosine: f32) -> Rgb {
+        match self {
+            Bsdf::Ward(m) => m.mirror_reflectance(),
+            Bsdf::Pbr(m) => m.mirror_reflectance(cosine),
+            Bsdf::Diffuse(_) | Bsdf::Dielectric(_) => Rgb::BLACK,
+        }
+    }
+
     /// The reflectance of the dull class if it is a pure Lambertian reflector: the gather then needs no `eval`.
     pub fn lambertian(&self) -> Option<Rgb> {
         match self {

@@ -126,6 +126,11 @@ impl Pbr {
         self.albedos(class, wo).into_iter().fold(Rgb::BLACK, |sum, a| sum + a)
     }
 
+    /// What the delta lobe reflects under an angle of this cosine; black where facets are rough.
+    pub fn mirror_reflectance(&self, cosine: f32) -> Rgb {
+        if self.ggx().is_delta() && self.reflects() { self.mirrored(cosine, 1.0) } else { Rgb::BLACK }
+    }
+
     /// The base's reflectance where no lobe of the dull class and no gloss accompanies it.
     pub fn lambertian(&self) -> Option<Rgb> {
         let base = self.base_color * self.shares().plastic;

@@ -85,6 +85,11 @@ impl Ward {
         self.glosses(class).fold(self.base.albedo(class), |sum, g| sum + g.value * g.albedo(wo))
     }
 
+    /// ρ_s where the reflecting lobe is a delta, else black.
+    pub fn mirror_reflectance(&self) -> Rgb {
+        if self.alpha < DELTA_ALPHA { self.specular } else { Rgb::BLACK }
+    }
+
     /// The base's reflectance where no lobe of the dull class accompanies it.
     pub fn lambertian(&self) -> Option<Rgb> {
         if self.glosses(Class::Dull).next().is_some() { None } else { self.base.lambertian() }

@@ -21,7 +21,8 @@
 //! | vertex k ≥ 0: choice of the light | 8k + 10 | 2k + 2 |
 //! | vertex k ≥ 0: Russian roulette | 8k + 11 | 2k + 2 |
 //!
-//! A decision named with two dimensions returns the first of them.
+//! A decision named with two dimensions returns the first of them. Which images a weak mirror makes in an eye pass, plain
+//! random numbers of the pass decide, one an image (`integrator/mirror.rs`).
 
 /// Decisions of a light path.
 pub mod light {

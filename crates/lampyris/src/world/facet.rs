@@ -16,6 +16,13 @@ pub struct Facet {
     smooth: u32,
 }
 
+impl Facet {
+    /// True if its shading normal is the geometric one everywhere.
+    pub fn is_flat(&self) -> bool {
+        self.smooth == u32::MAX
+    }
+}
+
 /// All facets of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Facets {
@@ -23,13 +30,6 @@ pub struct Facets {
     /// First facet of each instance.
     first: Vec<u32>,
     normals: Vec<[Vec3; 3]>,
-}
-
-impl Facet {
-    /// True if its shading normal is the geometric one everywhere.
-    pub fn is_flat(&self) -> bool {
-        self.smooth == u32::MAX
-    }
 }
 
 impl Facets {

@@ -36,6 +36,8 @@ pub struct Surface<'w> {
     pub triangle: u32,
     /// Which material of the scene.
     pub material: u32,
+    /// Which planar mirror of the world it lies in.
+    pub mirror: Option<u8>,
 }
 
 impl<'w> Surface<'w> {
@@ -52,6 +54,7 @@ impl<'w> Surface<'w> {
             instance: u32::MAX,
             triangle: u32::MAX,
             material: u32::MAX,
+            mirror: None,
         }
     }
 
