@@ -4,7 +4,8 @@
 //! order of the file; what was admitted may then be decoded by many threads.
 //!
 //! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats from 0 to
-//! 10¹⁸ without alpha; what is no finite number is black. Profiles and other metadata are skipped. A PNG that moves gives its first picture.
+//! 10¹² without alpha; what is no finite number is black. Profiles and other metadata are skipped. A PNG that moves
+//! gives its first picture.
 
 mod jpeg;
 mod openexr;
@@ -26,8 +27,8 @@ const SUSPICIOUS: u64 = 64 << 20;
 /// Largest ratio of decoded bytes to those of the file, beyond [`SUSPICIOUS`].
 const EXPANSION: u64 = 2000;
 
-/// Brightest value of a pixel, as of MGF's lamps: sums and products of it are still finite.
-const BRIGHTEST: f32 = 1e18;
+/// Largest value of a pixel: six hundred suns. It multiplies what a scene says.
+const LARGEST: f32 = 1e12;
 
 /// Why a picture is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -176,7 +177,7 @@ impl Admitted<'_> {
         let ((width, height), mut pixels) =
             decoded.unwrap_or_else(|_| Err("its decoder gave up".into())).map_err(failed)?;
         if let Pixels::Float(pixels) = &mut pixels {
-            let bounded = |v: f32| if v.is_finite() { v.clamp(0.0, BRIGHTEST) } else { 0.0 };
+            let bounded = |v: f32| if v.is_finite() { v.clamp(0.0, LARGEST) } else { 0.0 };
             pixels.as_flattened_mut().iter_mut().for_each(|v| *v = bounded(*v));
         }
         Ok(Image { name: name.into(), width, height, pixels })
