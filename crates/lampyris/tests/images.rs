@@ -277,6 +277,10 @@ fn openexr_headers_are_held_to_their_file() {
     assert!(admitted(&exr_header([far, 0, far, 0], 3, 3)));
     assert!(!admitted(&exr_header([far + 1, 0, far + 1, 0], 3, 3)));
     assert!(!admitted(&exr_header([i32::MIN, i32::MIN, i32::MAX, i32::MAX], 3, 3)));
+    // Two windows: one for us and one for the decoder, which knows them by their type as well.
+    let two = exr_header(small, 3, 3);
+    let window = [b"dataWindow\0sesame\0".as_slice(), &16u32.to_le_bytes(), &[0; 16]].concat();
+    assert!(!admitted(&[&two[..8], &window, &two[8..]].concat()) && admitted(&two));
     // 10 000 rows of single blocks have a table of 80 000 bytes.
     let tall = exr_header([0, 0, 0, 9_999], 0, 3);
     let padded = |length: usize| [tall.clone(), vec![0; length - tall.len()]].concat();

@@ -171,7 +171,7 @@ impl Admitted<'_> {
             Format::Png => png::decode(self.bytes, self.size()),
             Format::Jpeg => jpeg::decode(self.bytes, self.size()),
             Format::Radiance => radiance::decode(self.bytes),
-            Format::OpenExr => openexr::decode(self.bytes),
+            Format::OpenExr => openexr::decode(self.bytes, self.size()),
         });
         let failed = |reason| format!("{}: {reason}", self.format.name());
         let ((width, height), mut pixels) =
