@@ -375,8 +375,9 @@ impl World {
 
     /// Shares by power; the two sides of one surface split theirs by what a pilot finds before each of them.
     fn share_out(&mut self) {
-        let mut weights: Vec<f64> =
-            self.emitters.iter().map(|e| f64::from(e.importance(self.bounds))).collect();
+        // Lights may be too bright for the numbers; shares are finite always.
+        let importance = |e: &Emitter| f64::from(e.importance(self.bounds).min(f32::MAX));
+        let mut weights: Vec<f64> = self.emitters.iter().map(importance).collect();
         for sides in self.sides.values() {
             if let [Some(front), Some(back)] = *sides {
                 let (f, b) = (self.openness(front), self.openness(back));

@@ -111,6 +111,10 @@ fn emission_is_radiance_from_the_front_or_from_both_sides() {
     let lamp = material(json!({"emissiveFactor": [1, 0.5, 0.25], "extensions": strength}));
     assert_eq!((lamp.emission, lamp.sides), (Rgb::new(500., 250., 125.), Sides::EmitFront));
     assert_eq!(material(json!({"doubleSided": true})).sides, Sides::Both);
+    let strength = json!({"KHR_materials_emissive_strength": {"emissiveStrength": 3e38}});
+    let blinding = material(json!({"emissiveFactor": [100, 1e-30, 0], "extensions": strength}));
+    assert_eq!((blinding.emission.r, blinding.emission.b), (1e18, 0.0));
+    assert!((blinding.emission.g - 3e8).abs() < 1e3);
 }
 
 #[test]

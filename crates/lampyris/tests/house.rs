@@ -37,7 +37,7 @@ fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
 }
 
 fn sources() -> Vec<(String, String)> {
-    files("crates", ".rs")
+    [files("crates", ".rs"), files("fuzz", ".rs")].concat()
 }
 
 /// The comments of a file as one text.

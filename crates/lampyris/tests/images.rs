@@ -167,6 +167,20 @@ fn hdr_in_all_three_encodings() {
     assert_eq!(read(runs), expected.into_iter().map(light).collect::<Vec<_>>());
 }
 
+/// Six hundred suns are enough, there is no light less than none, and what is no number is dark.
+#[test]
+fn floats_are_held_within_bounds() {
+    let rgbe = [b"#?RGBE\n\n-Y 1 +X 1\n".as_slice(), &[255; 4]].concat();
+    assert_eq!(decode(&rgbe).pixels, Pixels::Float(vec![[1e12; 3]]));
+    let values = [f32::NAN, f32::INFINITY, -1.0, f32::MAX, 0.5];
+    let channels =
+        exr::prelude::SpecificChannels::rgb(|at: exr::math::Vec2<usize>| (values[at.0], 0.0f32, 1.0f32));
+    let mut file = std::io::Cursor::new(Vec::new());
+    exr::prelude::Image::from_channels((5, 1), channels).write().to_buffered(&mut file).unwrap();
+    let expected = [0.0, 0.0, 0.0, 1e12, 0.5].map(|r| [r, 0.0, 1.0]);
+    assert_eq!(decode(&file.into_inner()).pixels, Pixels::Float(expected.to_vec()));
+}
+
 /// A run that leaves its row, and a repetition of nothing.
 #[test]
 fn hdr_runs_stay_in_their_rows() {
@@ -263,6 +277,10 @@ fn openexr_headers_are_held_to_their_file() {
     assert!(admitted(&exr_header([far, 0, far, 0], 3, 3)));
     assert!(!admitted(&exr_header([far + 1, 0, far + 1, 0], 3, 3)));
     assert!(!admitted(&exr_header([i32::MIN, i32::MIN, i32::MAX, i32::MAX], 3, 3)));
+    // Two windows: one for us and one for the decoder, which knows them by their type as well.
+    let two = exr_header(small, 3, 3);
+    let window = [b"dataWindow\0sesame\0".as_slice(), &16u32.to_le_bytes(), &[0; 16]].concat();
+    assert!(!admitted(&[&two[..8], &window, &two[8..]].concat()) && admitted(&two));
     // 10 000 rows of single blocks have a table of 80 000 bytes.
     let tall = exr_header([0, 0, 0, 9_999], 0, 3);
     let padded = |length: usize| [tall.clone(), vec![0; length - tall.len()]].concat();

@@ -5,10 +5,12 @@ mod support;
 
 use glam::Vec3;
 use lampyris::Rgb;
-use lampyris::backend::Settings;
+use lampyris::backend::{Batch, Settings};
 use lampyris::eye::Eye;
 use lampyris::light::{Beam, LightKind};
 use lampyris::material::Sides;
+use lampyris::particle::{Plan, Walk};
+use lampyris::world::World;
 use support::{Build, FAST, ORACLE, diffuse, glass, meter, render, settings, view};
 
 fn eyes() -> [Eye; 2] {
@@ -163,4 +165,18 @@ fn surfaces_of_nonsense() {
     for rho in [0.0, 1.0] {
         pictures(&room(rho, 1.0));
     }
+}
+
+/// The power of lamps may lie beyond all numbers; how many particles leave them may not.
+#[test]
+fn blinding_lights_are_given_their_share_of_the_paths() {
+    let mut b = room(0.5, f32::MAX);
+    b.bulb(Vec3::splat(0.5), f32::MAX);
+    let world = World::new(b.0);
+    let shares: f32 = world.shares().iter().sum();
+    assert!((shares - 1.0).abs() < 1e-5, "{:?}", world.shares());
+    let settings = settings(FAST, 16, 4, 1);
+    let walk = Walk::new(&world, &settings, &Plan::new(&world, &settings), Batch { index: 0 });
+    let most = 16 + world.emitters().len();
+    assert!(walk.lights.len() <= most, "{} lights for 16 paths", walk.lights.len());
 }

@@ -38,6 +38,9 @@ pub struct Options {
     pub circle_steps: u32,
 }
 
+/// Brightest that a file may ask for [cd/m², cd or lx]: a hundred million suns, so that fluxes are still finite.
+const BRIGHTEST: f32 = 1e18;
+
 /// Facets around a circle unless asked otherwise, as many as the usual converters of MGF make.
 pub const CIRCLE_STEPS: u32 = 20;
 

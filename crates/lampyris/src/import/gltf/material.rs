@@ -3,6 +3,7 @@
 
 use super::json;
 use crate::color::Rgb;
+use crate::import::BRIGHTEST;
 use crate::import::name::clipped;
 use crate::import::notes::Notes;
 use crate::material::{Bsdf, Coverage, Dielectric, Map, Maps, Material, Pbr, Sides};
@@ -159,7 +160,8 @@ impl<'a> Textures<'a> {
         let name = m.name.as_deref().map_or(place.clone(), |n| clipped(n).to_owned());
         let bsdf = if solid { Bsdf::Dielectric(glass(&surface, &ext.volume)) } else { Bsdf::Pbr(surface) };
         Material {
-            emission: color(m.emissive_factor) * unsigned(ext.strength.emissive_strength),
+            emission: (color(m.emissive_factor) * unsigned(ext.strength.emissive_strength))
+                .map(|v| v.min(BRIGHTEST)),
             sides: if m.double_sided { Sides::Both } else { Sides::EmitFront },
             coverage: match m.alpha_mode {
                 json::AlphaMode::Opaque | json::AlphaMode::Other => Coverage::Full,

@@ -5,6 +5,7 @@
 use super::json::{Camera as JsonCamera, Document, Light as JsonLight, Node};
 use crate::color::Rgb;
 use crate::error::Result;
+use crate::import::BRIGHTEST;
 use crate::import::Limits;
 use crate::import::name::clipped;
 use crate::import::notes::Notes;
@@ -227,5 +228,6 @@ fn lamp(light: &JsonLight, name: String, transform: &DAffine3) -> Option<Light> 
         _ => return None,
     };
     let light = Light { name, kind };
-    (light.is_sound() && [r, g, b, light_strength].iter().all(|v| *v >= 0.0)).then_some(light)
+    let possible = strength.max_channel() <= BRIGHTEST && [r, g, b, light_strength].iter().all(|v| *v >= 0.0);
+    (light.is_sound() && possible).then_some(light)
 }

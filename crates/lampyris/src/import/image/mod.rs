@@ -3,8 +3,9 @@
 //! read here first, and no decoder sees a file that asks for more than the limits grant. Admitting is cheap and in the
 //! order of the file; what was admitted may then be decoded by many threads.
 //!
-//! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats without alpha. Profiles
-//! and other metadata are skipped. A PNG that moves gives its first picture.
+//! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats from 0 to
+//! 10¹² without alpha; what is no finite number is black. Profiles and other metadata are skipped. A PNG that moves
+//! gives its first picture.
 
 mod jpeg;
 mod openexr;
@@ -25,6 +26,9 @@ const SUSPICIOUS: u64 = 64 << 20;
 
 /// Largest ratio of decoded bytes to those of the file, beyond [`SUSPICIOUS`].
 const EXPANSION: u64 = 2000;
+
+/// Largest value of a pixel: six hundred suns. It multiplies what a scene says.
+const LARGEST: f32 = 1e12;
 
 /// Why a picture is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -167,11 +171,15 @@ impl Admitted<'_> {
             Format::Png => png::decode(self.bytes, self.size()),
             Format::Jpeg => jpeg::decode(self.bytes, self.size()),
             Format::Radiance => radiance::decode(self.bytes),
-            Format::OpenExr => openexr::decode(self.bytes),
+            Format::OpenExr => openexr::decode(self.bytes, self.size()),
         });
         let failed = |reason| format!("{}: {reason}", self.format.name());
-        let ((width, height), pixels) =
+        let ((width, height), mut pixels) =
             decoded.unwrap_or_else(|_| Err("its decoder gave up".into())).map_err(failed)?;
+        if let Pixels::Float(pixels) = &mut pixels {
+            let bounded = |v: f32| if v.is_finite() { v.clamp(0.0, LARGEST) } else { 0.0 };
+            pixels.as_flattened_mut().iter_mut().for_each(|v| *v = bounded(*v));
+        }
         Ok(Image { name: name.into(), width, height, pixels })
     }
 }

@@ -48,6 +48,7 @@ pub(super) fn size(bytes: &[u8]) -> Result<Size, String> {
 /// Reads one header; what follows it.
 fn part<'a>(mut bytes: &'a [u8], file: u64, most: &mut Size) -> Result<&'a [u8], String> {
     let mut part = Part::default();
+    let mut known: Vec<&[u8]> = Vec::new();
     loop {
         let (name, rest) = text(bytes)?;
         if name.is_empty() {
@@ -59,6 +60,16 @@ fn part<'a>(mut bytes: &'a [u8], file: u64, most: &mut Size) -> Result<&'a [u8],
         let length = usize::try_from(i32::from_le_bytes(length)).map_err(|_| "an attribute is too short")?;
         let value = rest.get(..length).ok_or("an attribute is longer than the headers may be")?;
         bytes = &rest[length..];
+        // Which of two would be believed is the decoder's secret.
+        if matches!(
+            name,
+            b"dataWindow" | b"displayWindow" | b"channels" | b"compression" | b"tiles" | b"type"
+        ) {
+            if known.contains(&name) {
+                return Err("an attribute is there twice".into());
+            }
+            known.push(name);
+        }
         match name {
             b"dataWindow" => part.data = Some(window(value)?),
             b"displayWindow" => drop(window(value)?),
@@ -145,7 +156,7 @@ fn text(bytes: &[u8]) -> Result<(&[u8], &[u8]), String> {
 }
 
 #[cfg(feature = "pictures")]
-pub(super) fn decode(bytes: &[u8]) -> Decoded {
+pub(super) fn decode(bytes: &[u8], admitted: (u32, u32)) -> Decoded {
     use crate::texture::Pixels;
     use exr::math::Vec2;
     use exr::prelude::*;
@@ -155,10 +166,11 @@ pub(super) fn decode(bytes: &[u8]) -> Decoded {
         height: usize,
         pixels: Vec<[f32; 3]>,
     }
-    let canvas = |size: Vec2<usize>| Canvas {
-        width: size.0,
-        height: size.1,
-        pixels: vec![[0.0; 3]; size.0.saturating_mul(size.1)],
+    // What is larger than was admitted stays empty.
+    let canvas = |size: Vec2<usize>| {
+        let Vec2(width, height) =
+            if size.0 <= admitted.0 as usize && size.1 <= admitted.1 as usize { size } else { Vec2(0, 0) };
+        Canvas { width, height, pixels: vec![[0.0; 3]; width * height] }
     };
     let put = |canvas: &mut Canvas, at: Vec2<usize>, color: [f32; 3]| {
         let row = at.1.checked_mul(canvas.width).and_then(|start| start.checked_add(at.0));
@@ -197,10 +209,13 @@ pub(super) fn decode(bytes: &[u8]) -> Decoded {
             grey.map_err(|_| first.to_string())?.layer_data.channel_data.pixels
         }
     };
+    if canvas.pixels.is_empty() {
+        return Err("a layer larger than the headers say".into());
+    }
     Ok(((canvas.width as u32, canvas.height as u32), Pixels::Float(canvas.pixels)))
 }
 
 #[cfg(not(feature = "pictures"))]
-pub(super) fn decode(_: &[u8]) -> Decoded {
+pub(super) fn decode(_: &[u8], _: (u32, u32)) -> Decoded {
     Err("read with the feature `pictures` only".into())
 }

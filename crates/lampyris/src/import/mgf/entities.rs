@@ -6,6 +6,7 @@ use super::args::{exactly, number, numbers};
 use super::color::Chromaticity;
 use super::material::Share;
 use super::reader::{Fault, Reader};
+use crate::import::BRIGHTEST;
 use crate::import::report::quote;
 use glam::DVec3;
 
@@ -124,7 +125,7 @@ impl Reader<'_> {
             }
             "rd" => surface.rd = share(numbers::<1>(keyword, words)?[0], 1.0)?,
             "td" => surface.td = share(numbers::<1>(keyword, words)?[0], 1.0)?,
-            "ed" => surface.ed = share(numbers::<1>(keyword, words)?[0], 1e18)?,
+            "ed" => surface.ed = share(numbers::<1>(keyword, words)?[0], f64::from(BRIGHTEST))?,
             "rs" => {
                 let [amount, alpha] = numbers(keyword, words)?;
                 (surface.rs, surface.alpha[0]) = (share(amount, 1.0)?, slope(alpha)?);

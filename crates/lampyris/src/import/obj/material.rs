@@ -4,6 +4,7 @@
 //! light, Ns as the width of a lobe, `illum` as the choice between matt, mirror and glass.
 
 use crate::color::Rgb;
+use crate::import::BRIGHTEST;
 use crate::material::{Bsdf, Coverage, Dielectric, Diffuse, Material, Pbr, Sides, Ward};
 
 /// What a surface may reflect at most, in each channel.
@@ -119,7 +120,15 @@ impl Surface {
             Coverage::Full
         };
         let material = Material::new(name, bsdf);
-        (Material { emission: self.ke, sides: Sides::EmitFront, coverage, ..material }, mended)
+        (
+            Material {
+                emission: self.ke.map(|v| v.min(BRIGHTEST)),
+                sides: Sides::EmitFront,
+                coverage,
+                ..material
+            },
+            mended,
+        )
     }
 
     /// Light that crosses the body passes two interfaces, each of which takes the root of the filter.

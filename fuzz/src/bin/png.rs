@@ -1,0 +1,4 @@
+//! PNG.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|input: &[u8]| lampyris_fuzz::picture(input));
