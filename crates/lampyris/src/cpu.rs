@@ -136,26 +136,26 @@ impl Job {
             .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
             .collect();
 
+        // A batch is summed by itself before it is added: others may then merge it to the same bits.
         let scale = 1.0 / passes as f32;
-        let mut planes = vec![vec![Rgb::BLACK; width as usize * height as usize]; self.integrators.len()];
-        for piece in &done {
-            for (plane, part) in planes.iter_mut().zip(&piece.parts) {
-                for (k, value) in part.iter().enumerate() {
-                    plane[place(piece.rect, width, k)] += *value * scale;
-                }
+        let replicate = batch.index % self.settings.replicates;
+        let mut done = done.into_iter().peekable();
+        while let Some(mut tile) = done.next() {
+            tile.parts.iter_mut().flatten().for_each(|v| *v = *v * scale);
+            note(&tile, width, &mut self.statistics, &mut self.frame);
+            while let Some(more) = done.next_if(|more| more.rect == tile.rect) {
+                let pairs = tile.parts.iter_mut().flatten().zip(more.parts.iter().flatten());
+                pairs.for_each(|(sum, v)| *sum += *v * scale);
+                note(&more, width, &mut self.statistics, &mut self.frame);
             }
-            self.statistics.rays += piece.rays;
-            self.statistics.non_finite += piece.non_finite;
-            if let (Some(sums), Some(part)) = (self.frame.auxiliary_mut(), &piece.auxiliary) {
-                (0..part.depth.len()).for_each(|k| sums.add(place(piece.rect, width, k), part, k));
-            }
+            self.frame.add(replicate, tile.rect, &tile.parts);
         }
+        self.frame.count(replicate);
         if let Some(sums) = self.frame.auxiliary_mut() {
             sums.samples += passes;
         }
         self.statistics.rays.particle += walk.rays;
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
-        self.frame.add(batch.index % self.settings.replicates, &planes);
     }
 
     /// Some eye passes of a batch in one tile.
@@ -212,6 +212,15 @@ impl Job {
             shifted.fract()
         });
         Sampling { offset, index: block.wrapping_mul(passes).wrapping_add(number), seed }
+    }
+}
+
+/// What a piece of work counted, and what its paths met first.
+fn note(piece: &Summed, width: u32, statistics: &mut Statistics, frame: &mut Frame) {
+    statistics.rays += piece.rays;
+    statistics.non_finite += piece.non_finite;
+    if let (Some(sums), Some(part)) = (frame.auxiliary_mut(), &piece.auxiliary) {
+        (0..part.depth.len()).for_each(|k| sums.add(place(piece.rect, width, k), part, k));
     }
 }
 

@@ -2,6 +2,7 @@
 //! No filter ever writes here; means and errors are asked for, never stored.
 
 use crate::color::Rgb;
+use crate::eye::Rect;
 use crate::testing::student_quantile;
 
 /// The sums of a picture, or of a list of meters (then one row).
@@ -13,8 +14,8 @@ pub struct Frame {
     pub height: u32,
     /// Name and plane of each part's sum over all batches.
     parts: Vec<(String, Vec<Rgb>)>,
-    /// Σ over the batches of randomisation k, all parts together.
-    replicates: Vec<Vec<Rgb>>,
+    /// Luminance, Σ over the batches of randomisation k, all parts together.
+    replicates: Vec<Vec<f32>>,
     /// Batches added to each randomisation.
     batches: Vec<u32>,
     auxiliary: Option<Auxiliary>,
@@ -65,7 +66,7 @@ impl Frame {
             width,
             height,
             parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
-            replicates: vec![vec![Rgb::BLACK; pixels]; replicates as usize],
+            replicates: vec![vec![0.0; pixels]; replicates as usize],
             batches: vec![0; replicates as usize],
             auxiliary: auxiliary.then(|| Auxiliary::new(pixels)),
         }
@@ -101,13 +102,12 @@ impl Frame {
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
     /// infinite before each of two has a batch.
     pub fn standard_error(&self, pixel: usize) -> f32 {
-        self.spread(|k| self.replicates[k][pixel].luminance().into()) as f32
+        self.spread(|k| self.replicates[k][pixel].into()) as f32
     }
 
     /// Standard error of the picture's mean luminance, relative to it.
     pub fn relative_error(&self) -> f32 {
-        let sums: Vec<f64> =
-            self.replicates.iter().map(|p| p.iter().map(|s| f64::from(s.luminance())).sum()).collect();
+        let sums: Vec<f64> = self.replicates.iter().map(|p| p.iter().map(|s| f64::from(*s)).sum()).collect();
         let mean = sums.iter().sum::<f64>() / f64::from(self.batches().max(1));
         if mean == 0.0 { 0.0 } else { (self.spread(|k| sums[k]) / mean).abs() as f32 }
     }
@@ -123,14 +123,23 @@ impl Frame {
         self.auxiliary.as_ref()
     }
 
-    /// Adds a batch of randomisation `replicate`: the planes of the parts, in the order of `part_names`.
-    pub fn add(&mut self, replicate: u32, parts: &[Vec<Rgb>]) {
-        let k = replicate as usize;
-        self.batches[k] += 1;
-        for ((_, sum), plane) in self.parts.iter_mut().zip(parts) {
-            sum.iter_mut().zip(plane).for_each(|(s, v)| *s += *v);
-            self.replicates[k].iter_mut().zip(plane).for_each(|(s, v)| *s += *v);
+    /// Adds a rectangle of a batch of randomisation `replicate`: the values of the parts, in the order of `part_names`,
+    /// each row by row.
+    pub fn add(&mut self, replicate: u32, rect: Rect, parts: &[Vec<Rgb>]) {
+        let luminance = &mut self.replicates[replicate as usize];
+        let width = rect.width as usize;
+        for ((_, sum), values) in self.parts.iter_mut().zip(parts) {
+            for (row, values) in values.chunks(width).enumerate() {
+                let at = (rect.y as usize + row) * self.width as usize + rect.x as usize;
+                sum[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
+                luminance[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += v.luminance());
+            }
         }
+    }
+
+    /// A batch of randomisation `replicate` is complete: every pixel of it was added once.
+    pub fn count(&mut self, replicate: u32) {
+        self.batches[replicate as usize] += 1;
     }
 
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
@@ -162,7 +171,8 @@ mod tests {
     fn the_interval_is_students() {
         let mut frame = Frame::new(1, 1, &["direct"], 4, false);
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
-            frame.add(k, &[vec![Rgb::grey(v)]]);
+            frame.add(k, Rect { x: 0, y: 0, width: 1, height: 1 }, &[vec![Rgb::grey(v)]]);
+            frame.count(k);
         }
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.
         assert!((frame.standard_error(0) - (5.0f32 / 12.0).sqrt()).abs() < 1e-6);
