@@ -141,7 +141,7 @@ impl Job {
         let replicate = batch.index % self.settings.replicates;
         let mut done = done.into_iter().peekable();
         while let Some(mut tile) = done.next() {
-            tile.parts.iter_mut().flatten().for_each(|v| *v = *v * scale);
+            tile.parts.iter_mut().flatten().for_each(|v| *v *= scale);
             note(&tile, width, &mut self.statistics, &mut self.frame);
             while let Some(more) = done.next_if(|more| more.rect == tile.rect) {
                 let pairs = tile.parts.iter_mut().flatten().zip(more.parts.iter().flatten());
