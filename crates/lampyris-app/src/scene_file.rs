@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::say;
 use lampyris::Rgb;
 use lampyris::import::{self, Limits, Loaded, Options};
-use lampyris::scene::upward;
+use lampyris::scene::{Scene, upward};
 
 /// Loads the scene; warnings go to standard error unless `quiet`.
 pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
@@ -40,8 +40,20 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         loaded.scene.environment_image = Some(loaded.scene.images.len() as u32);
         loaded.scene.images.push(import::picture(file, &options)?);
     }
+    if is_dark(&loaded.scene) {
+        loaded
+            .warnings
+            .push("nothing shines: pictures of it are black; give it a sky with --environment".into());
+    }
     if !quiet {
         loaded.warnings.iter().for_each(|w| say::note(&format!("warning: {w}")));
     }
     Ok(loaded)
+}
+
+/// True if no light, no surface and no sky shines.
+fn is_dark(scene: &Scene) -> bool {
+    scene.lights.is_empty()
+        && scene.environment.is_black()
+        && scene.materials.iter().all(|m| m.emission.is_black())
 }

@@ -239,3 +239,21 @@ fn a_file_over_the_limit_of_the_process_is_an_error_and_leaves_the_old_one() {
     assert_eq!(folder.files(), ["a.exr"]);
     assert_eq!(folder.bytes("a.exr"), b"old");
 }
+
+#[test]
+fn a_scene_without_light_is_told_of_and_a_sky_mends_it() {
+    let folder = Folder::new("dark");
+    std::fs::write(folder.0.join("dark.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let args = "render dark.obj -o dark.png --size 16x12 --batches 1 --json";
+    let told = |run: &support::Run| run.json()["warnings"].to_string().contains("nothing shines");
+    let dark = run(&folder, args);
+    assert!(told(&dark) && dark.err.contains("--environment"), "{}", dark.err);
+    std::fs::write(folder.0.join("sky.hdr"), {
+        let mut sky = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".to_vec();
+        sky.extend([128, 128, 128, 129, 128, 128, 128, 129]);
+        sky
+    })
+    .unwrap();
+    let lit = run(&folder, &format!("{args} --environment sky.hdr"));
+    assert!(lit.code == 0 && !told(&lit), "{}", lit.err);
+}
