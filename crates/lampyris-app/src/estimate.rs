@@ -21,15 +21,23 @@ const WORK: u64 = 10_000_000;
 const PICTURE_PATHS: (u64, u64) = (16, 64);
 
 /// Light paths times pixels that a batch may have for each second that `--time` grants: a picture in a hurry begins with
-/// a small one.
+/// a small one. Textured surfaces are shaded one by one, and cost several times as much.
 const WORK_A_SECOND: f64 = 5e7;
+const TEXTURED_WORK_A_SECOND: f64 = 3e6;
+const HURRIED_PATHS: u64 = 4;
 const METER_PATHS: (u64, u64) = (64, 1024);
 
-/// The settings that the arguments ask for, for a picture of that size.
-pub(crate) fn for_picture(args: &EstimateArgs, (width, height): (u32, u32)) -> Result<Settings, Failure> {
+/// The settings that the arguments ask for, for a picture of that size of a scene with or without textures.
+pub(crate) fn for_picture(
+    args: &EstimateArgs,
+    (width, height): (u32, u32),
+    textured: bool,
+) -> Result<Settings, Failure> {
     let pixels = u64::from(width) * u64::from(height);
-    let in_time = args.time.map_or(u64::MAX, |t| (t.as_secs_f64() * WORK_A_SECOND) as u64 / pixels.max(1));
+    let speed = if textured { TEXTURED_WORK_A_SECOND } else { WORK_A_SECOND };
+    let in_time = args.time.map_or(u64::MAX, |t| (t.as_secs_f64() * speed) as u64 / pixels.max(1));
     let (least, most) = PICTURE_PATHS;
+    let least = least.min(in_time.max(HURRIED_PATHS));
     settings(args, paths(pixels, (least, most.min(in_time).max(least))))
 }
 

@@ -73,8 +73,12 @@ struct Seconds {
 pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let outputs = outputs(args)?;
-    let settings = Settings { auxiliary: args.aov, ..estimate::for_picture(&args.estimate, args.size)? };
+    // Bad arguments are told of before anything is read.
+    estimate::for_picture(&args.estimate, args.size, false)?;
     let loaded = scene_file::load(&args.scene, args.quiet)?;
+    let textured = !loaded.scene.textures.is_empty();
+    let settings =
+        Settings { auxiliary: args.aov, ..estimate::for_picture(&args.estimate, args.size, textured)? };
     let loaded_at = Instant::now();
 
     let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;

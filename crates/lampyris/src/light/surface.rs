@@ -140,7 +140,7 @@ impl EmissiveSide {
         SidePoint { position, normal: t.normal, radiance, area }
     }
 
-    /// One over the density with which [`Self::point`] chooses a point of a triangle of the mesh [m²].
+    /// One over the density with which `point` chooses a point of a triangle of the mesh [m²].
     pub fn area_around(&self, triangle: u32) -> f32 {
         match &self.paint {
             Some(paint) => paint.numbers.binary_search(&triangle).map_or(f32::INFINITY, |k| paint.areas[k]),
