@@ -5,7 +5,7 @@
 use super::follow::{Ended, Next, follow, next};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
-use crate::geometry::{Hit, Hits16, LANES, Ray};
+use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
 use crate::scene::View;
 use crate::settings::Rays;
 use crate::world::{Finish, Surface, World};
@@ -226,13 +226,4 @@ impl<'w> Packet<'w> {
         }
         self.opaque |= u16::from(!finish.transmits) << k;
     }
-}
-
-fn lane(vectors: &Vectors, k: usize) -> Vec3 {
-    Vec3::new(vectors[0][k], vectors[1][k], vectors[2][k])
-}
-
-/// Numbers of the bits set.
-fn lanes(mask: u16) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |k| mask >> k & 1 == 1)
 }

@@ -14,6 +14,7 @@ pub use frame::Frame;
 pub use offset::SurfacePoint;
 pub(crate) use offset::{ERROR, away};
 pub use packet::{Hits16, LANES};
+pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};

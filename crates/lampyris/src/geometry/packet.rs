@@ -91,7 +91,7 @@ fn all_sound(origin: Vec3, directions: &[[f32; LANES]; 3]) -> u16 {
 }
 
 /// Numbers of the bits set.
-pub(super) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
+pub(crate) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
     let mut rest = mask;
     std::iter::from_fn(move || {
         let i = rest.trailing_zeros() as usize;
@@ -101,6 +101,6 @@ pub(super) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
 }
 
 /// One lane of a packet of vectors.
-pub(super) fn lane(vectors: &[[f32; LANES]; 3], i: usize) -> Vec3 {
+pub(crate) fn lane(vectors: &[[f32; LANES]; 3], i: usize) -> Vec3 {
     Vec3::new(vectors[0][i], vectors[1][i], vectors[2][i])
 }

@@ -6,7 +6,7 @@
 use super::Pass;
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
-use crate::geometry::Ray;
+use crate::geometry::{Ray, lanes};
 use crate::light::Shine;
 use crate::material::Class;
 use crate::particle::Vpl;
@@ -179,11 +179,6 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
         radiance[k] += p.reflectance[k] * irradiance[k] * FRAC_1_PI;
     }
     radiance
-}
-
-/// Numbers of the bits set.
-pub(super) fn lanes(mask: u16) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |k| mask >> k & 1 == 1)
 }
 
 /// `geometry_term` for sixteen opaque reflectors, and the lanes where it is not zero.

@@ -10,7 +10,7 @@ use super::short::Way;
 use super::{Integrator, Pass, STRIDE, gather, turn_of};
 use crate::color::Rgb;
 use crate::eye::{LANES, Numbers, Packet, Tile};
-use crate::geometry::Ray;
+use crate::geometry::{Ray, lane, lanes};
 use crate::light::Shine;
 use crate::material::Class;
 use crate::particle::Vpl;
@@ -48,7 +48,7 @@ impl Integrator for Mirror {
             .collect();
         for p in tile.packets.iter().filter(|p| p.live != 0) {
             let radiance = packet(world, p, &images, &mut rays.shadow);
-            for k in gather::lanes(p.live) {
+            for k in lanes(p.live) {
                 out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
             }
         }
@@ -205,11 +205,11 @@ fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -
     for image in images {
         let together = if matches!(image.image.shine, Shine::Distant) { 0 } else { p.opaque };
         let (g, lit) = gather::geometry_terms(&image.image, p, together);
-        let point = |k: usize| Vec3::new(p.position[0][k], p.position[1][k], p.position[2][k]);
-        let lit = gather::lanes(lit).filter(|k| image.may_shine_on(point(*k))).fold(0, |m, k| m | 1u16 << k);
+        let point = |k: usize| lane(&p.position, k);
+        let lit = lanes(lit).filter(|k| image.may_shine_on(point(*k))).fold(0, |m, k| m | 1u16 << k);
         if lit != 0 {
             let share = shares_seen(world, image, lit, point, rays);
-            for k in gather::lanes(lit) {
+            for k in lanes(lit) {
                 if !share[k].is_black()
                     && let Some(x) = points.get(k)
                 {
@@ -217,7 +217,7 @@ fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -
                 }
             }
         }
-        for k in gather::lanes(p.live & !together) {
+        for k in lanes(p.live & !together) {
             if let Some(x) = points.get(k) {
                 radiance[k] += image.light_at(world, &x.surface, rays);
             }
@@ -236,15 +236,15 @@ fn shares_seen(
 ) -> [Rgb; LANES] {
     let origin = image.source.position;
     let mut directions = [[0.0; LANES]; 3];
-    for k in gather::lanes(lit) {
+    for k in lanes(lit) {
         let d = (image.plane.image(point(k)) - origin).normalize_or_zero();
         (directions[0][k], directions[1][k], directions[2][k]) = (d.x, d.y, d.z);
     }
     let hits = world.tracer().closest16(origin, &directions, lit);
     *rays += u64::from(lit.count_ones());
     let mut share = [Rgb::BLACK; LANES];
-    for k in gather::lanes(lit) {
-        let direction = Vec3::new(directions[0][k], directions[1][k], directions[2][k]);
+    for k in lanes(lit) {
+        let direction = lane(&directions, k);
         let at = hits.get(k).map(|hit| world.surface(direction, &hit));
         if let Some(at) = at.filter(|at| at.mirror == Some(image.number)) {
             *rays += 1;

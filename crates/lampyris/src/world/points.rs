@@ -2,7 +2,7 @@
 //! out for the gather. Flat facets alone; a bent normal is a matter of one lane.
 
 use super::World;
-use crate::geometry::{ERROR, Hits16, LANES, away};
+use crate::geometry::{ERROR, Hits16, LANES, away, lanes};
 
 /// One value of each lane for each axis.
 type Vectors = [[f32; LANES]; 3];
@@ -19,7 +19,7 @@ impl World {
     /// The points that sixteen rays meet, as if all facets were flat; lanes outside `of` hold nothing of use.
     pub fn points16(&self, directions: &Vectors, hits: &Hits16, of: u16) -> Points {
         let (mut corners, mut mirror) = ([[[0.0_f32; LANES]; 3]; 3], [1.0_f32; LANES]);
-        for k in (0..LANES).filter(|k| of >> k & 1 == 1) {
+        for k in lanes(of) {
             let (instance, triangle) = (hits.instance[k], hits.triangle[k]);
             for (corner, all) in self.facets.corners(instance, triangle).iter().zip(&mut corners) {
                 (0..3).for_each(|axis| all[axis][k] = corner[axis]);
