@@ -7,7 +7,6 @@ use lampyris::Error;
 use lampyris::import::{Limits, Options, load};
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 fn limited(set: impl FnOnce(&mut Limits)) -> Options {
     let mut options = Options::default();
@@ -60,31 +59,10 @@ fn every_limit_holds_exactly() {
     assert_eq!((d.objects, d.libraries, d.line_bytes), (1_000_000, 64, 1 << 20));
 }
 
-/// Loads every prefix and every flip of a bit in the first kilobyte; returns how many loaded, of how many.
+/// `folder::mutate`, and what loads must be sound.
 fn mutate(folder: &Folder, extension: &str, seed: &[u8]) -> (usize, usize) {
     let options = limited(|l| *l = Limits { triangles: 100_000, ..*l });
-    let end = seed.len().min(1024);
-    let prefixes = (0..=end).map(|n| seed[..n].to_vec());
-    let flips = (0..8 * end).map(|bit| {
-        let mut bytes = seed.to_vec();
-        bytes[bit / 8] ^= 1 << (bit % 8);
-        bytes
-    });
-    let (mut good, mut all) = (0, 0);
-    for bytes in prefixes.chain(flips) {
-        let start = Instant::now();
-        // A name of its own each: overwriting a file makes some file systems wait for the disk.
-        let path = folder.write(&format!("{all}.{extension}"), &bytes);
-        let loaded = load(&path, &options);
-        assert!(start.elapsed() < Duration::from_secs(10));
-        std::fs::remove_file(path).unwrap();
-        all += 1;
-        if let Ok(loaded) = loaded {
-            good += 1;
-            assert_sound(&loaded.scene);
-        }
-    }
-    (good, all)
+    gltf_support::folder::mutate(folder, extension, seed, &options, |loaded| assert_sound(&loaded.scene))
 }
 
 /// Three documents of about a kilobyte that use everything.

@@ -4,37 +4,11 @@
 use lampyris::import::{Loaded, Options, load};
 use lampyris::{Error, Result};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A folder that vanishes with its test.
-pub(crate) struct Folder(pub(crate) PathBuf);
+#[path = "../folder/mod.rs"]
+pub(crate) mod folder;
 
-impl Folder {
-    pub(crate) fn new() -> Folder {
-        static NEXT: AtomicU32 = AtomicU32::new(0);
-        let name = format!("lampyris-mgf-{}-{}", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-        let path = std::env::temp_dir().join(name);
-        std::fs::create_dir_all(&path).unwrap();
-        Folder(path)
-    }
-
-    pub(crate) fn write(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.0.join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(&path, text).unwrap();
-        path
-    }
-
-    pub(crate) fn load(&self, name: &str) -> Result<Loaded> {
-        load(&self.0.join(name), &Options::default())
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
+pub(crate) use folder::Folder;
 
 /// Loads a text as the scene `main.mgf`.
 pub(crate) fn load_with(text: impl AsRef<[u8]>, options: &Options) -> Result<Loaded> {
