@@ -6,12 +6,12 @@ use glam::{Affine2, Vec2, Vec3};
 use lampyris::Rgb;
 use lampyris::light::{Bounds, Emitter, Sky};
 use lampyris::material::{Coverage, Map};
-use lampyris::testing::{Moments, SphereBins, chi_square_test, sidak};
+use lampyris::testing::{Moments, SphereBins, chi_square_test};
 use lampyris::texture::{Encoding, Filter, Image, Pixels, Texture, Wrap};
 use lampyris::world::World;
 use std::f64::consts::PI;
 use std::sync::Arc;
-use support::{Build, FAST, ORACLE, close, close_mean, lux, meter, render, say, settings, view};
+use support::{Build, FAST, ORACLE, close, close_mean, lux, meter, parts_equal_path, render, settings, view};
 
 fn picture(width: u32, height: u32, at: impl Fn(u32, u32) -> [f32; 3]) -> Image {
     let pixels = Pixels::Float((0..width * height).map(|k| at(k % width, k / width)).collect());
@@ -213,29 +213,5 @@ fn parts_add_up_under_pictures() {
     b.0.environment = Rgb::WHITE;
     let camera = view(Vec3::new(0.3, 1.6, 2.4), Vec3::new(0.0, 0.6, -1.0), 60.0, 16, 12);
     let desks = [meter(Vec3::new(0.0, 0.5, 0.3), Vec3::Y), meter(Vec3::new(1.5, 1.0, 0.0), Vec3::NEG_X)];
-    let sums = |parts: &[&str], paths, passes, seed| {
-        let s = settings(parts, paths, passes, seed);
-        let picture = render(&b.0, camera.clone(), &s, 4);
-        let half =
-            |k: usize| picture[96 * k..96 * (k + 1)].iter().map(|c| f64::from(c.luminance())).sum::<f64>();
-        [vec![half(0), half(1), half(0) + half(1)], lux(&b.0, &desks, &s, 4)].concat()
-    };
-    let mut sides = [vec![Moments::default(); 5], vec![Moments::default(); 5]];
-    for seed in 0..SEEDS {
-        for (moments, all) in sides
-            .iter_mut()
-            .zip([sums(FAST, 1 << 8, 1 << 5, 2 * seed), sums(ORACLE, 1, 1 << 6, 2 * seed + 1)])
-        {
-            moments.iter_mut().zip(all).for_each(|(m, v)| m.push(v));
-        }
-    }
-    for (k, (fast, path)) in sides[0].iter().zip(&sides[1]).enumerate() {
-        let p = fast.p_value_against(path);
-        let noise = fast.standard_error().max(path.standard_error()) / path.mean();
-        say(format_args!(
-            "{k}: fast/path {:+.2e}, noise {noise:.1e}, p {p:.3}",
-            fast.mean() / path.mean() - 1.0
-        ));
-        assert!(p > sidak(0.01, 5) && noise < 0.05, "{k}: p = {p}, noise {noise}");
-    }
+    parts_equal_path(&b.0, &camera, &desks, SEEDS);
 }

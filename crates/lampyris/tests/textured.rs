@@ -8,11 +8,12 @@ use lampyris::Rgb;
 use lampyris::geometry::Ray;
 use lampyris::light::LightKind;
 use lampyris::material::{Bsdf, Class, Coverage, Map, Pbr, Sides};
-use lampyris::testing::{Moments, sidak};
 use lampyris::texture::{Encoding, Filter, Image, Pixels, Texture, Wrap};
 use lampyris::world::World;
 use std::f64::consts::PI;
-use support::{Build, FAST, ORACLE, close, diffuse, lux, meter, render, say, settings, spread, view};
+use support::{
+    Build, FAST, ORACLE, close, diffuse, lux, meter, parts_equal_path, render, settings, spread, view,
+};
 
 /// Adds an image with a texture of its own, and a map of the first coordinates.
 fn map(b: &mut Build, width: u32, pixels: Vec<[u8; 4]>, encoding: Encoding, filter: Filter) -> Map {
@@ -293,31 +294,7 @@ fn parts_add_up_with_textures_and_holes() {
     b.quad(Vec3::new(-0.6, 2.9, -0.6), Vec3::X * 1.2, Vec3::Z * 1.2, glow);
     let camera = view(Vec3::new(0.3, 1.6, 1.9), Vec3::new(0.0, 1.0, -1.0), 60.0, 16, 12);
     let desks = [meter(Vec3::new(0.0, 0.7, 0.0), Vec3::Y), meter(Vec3::new(1.2, 1.0, 0.0), Vec3::NEG_X)];
-    let sums = |parts: &[&str], paths, passes, seed| {
-        let s = settings(parts, paths, passes, seed);
-        let picture = render(&b.0, camera.clone(), &s, 4);
-        let half =
-            |k: usize| picture[96 * k..96 * (k + 1)].iter().map(|c| f64::from(c.luminance())).sum::<f64>();
-        [vec![half(0), half(1), half(0) + half(1)], lux(&b.0, &desks, &s, 4)].concat()
-    };
-    let mut sides = [vec![Moments::default(); 5], vec![Moments::default(); 5]];
-    for seed in 0..SEEDS {
-        for (moments, all) in sides
-            .iter_mut()
-            .zip([sums(FAST, 1 << 8, 1 << 5, 2 * seed), sums(ORACLE, 1, 1 << 6, 2 * seed + 1)])
-        {
-            moments.iter_mut().zip(all).for_each(|(m, v)| m.push(v));
-        }
-    }
-    for (k, (fast, path)) in sides[0].iter().zip(&sides[1]).enumerate() {
-        let p = fast.p_value_against(path);
-        let noise = fast.standard_error().max(path.standard_error()) / path.mean();
-        say(format_args!(
-            "{k}: fast/path {:+.2e}, noise {noise:.1e}, p {p:.3}",
-            fast.mean() / path.mean() - 1.0
-        ));
-        assert!(p > sidak(0.01, 5) && noise < 0.05, "{k}: p = {p}, noise {noise}");
-    }
+    parts_equal_path(&b.0, &camera, &desks, SEEDS);
 }
 
 /// What has no image, no coordinates or a broken image is as without a map.

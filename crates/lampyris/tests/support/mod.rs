@@ -11,7 +11,7 @@ use lampyris::light::{Light, LightKind};
 use lampyris::material::{Bsdf, Dielectric, Diffuse, Material, Sides, Ward};
 use lampyris::scene::{Camera, Instance, Mesh, Scene, View};
 use lampyris::sequence::sobol::sobol_owen_pair;
-use lampyris::testing::Moments;
+use lampyris::testing::{Moments, sidak};
 use std::f32::consts::{PI, TAU};
 
 /// The fast parts, by the names of `Settings::default`, and the oracle.
@@ -237,6 +237,36 @@ pub fn spread(i: u32, seed: u32) -> [f32; 2] {
 #[allow(clippy::print_stdout, reason = "the test harness shows it only when asked")]
 pub fn say(what: std::fmt::Arguments<'_>) {
     println!("{what}");
+}
+
+/// Asserts that the parts sum to `path` in both halves of a picture of 16 × 12 pixels, in all of it, and at two meters;
+/// `seeds` randomisations of each, whose noise stays below 5 %.
+pub fn parts_equal_path(scene: &Scene, camera: &Eye, desks: &[Meter; 2], seeds: u32) {
+    let sums = |parts: &[&str], paths, passes, seed| {
+        let s = settings(parts, paths, passes, seed);
+        let picture = render(scene, camera.clone(), &s, 4);
+        let half =
+            |k: usize| picture[96 * k..96 * (k + 1)].iter().map(|c| f64::from(c.luminance())).sum::<f64>();
+        [vec![half(0), half(1), half(0) + half(1)], lux(scene, desks, &s, 4)].concat()
+    };
+    let mut sides = [vec![Moments::default(); 5], vec![Moments::default(); 5]];
+    for seed in 0..seeds {
+        for (moments, all) in sides
+            .iter_mut()
+            .zip([sums(FAST, 1 << 8, 1 << 5, 2 * seed), sums(ORACLE, 1, 1 << 6, 2 * seed + 1)])
+        {
+            moments.iter_mut().zip(all).for_each(|(m, v)| m.push(v));
+        }
+    }
+    for (k, (fast, path)) in sides[0].iter().zip(&sides[1]).enumerate() {
+        let p = fast.p_value_against(path);
+        let noise = fast.standard_error().max(path.standard_error()) / path.mean();
+        say(format_args!(
+            "{k}: fast/path {:+.2e}, noise {noise:.1e}, p {p:.3}",
+            fast.mean() / path.mean() - 1.0
+        ));
+        assert!(p > sidak(0.01, 5) && noise < 0.05, "{k}: p = {p}, noise {noise}");
+    }
 }
 
 /// Who renders by these settings.
