@@ -9,9 +9,9 @@ use crate::eye::{Eye, Rect, Sampling, Tile};
 use crate::frame::{Auxiliary, Frame};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
-use crate::scene::Scene;
+use crate::scene::{Edit, Scene};
 use crate::sequence::{self, jittered_hammersley};
-use crate::world::World;
+use crate::world::{Changes, World};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -57,11 +57,9 @@ impl Cpu {
     pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
         settings.check()?;
         let integrators = integrator::select(&settings.parts)?;
-        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-        let (width, height) = eye.size();
         self.job = Some(Job {
             plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            frame: empty(&eye, settings, &integrators),
             statistics: Statistics::default(),
             settings: settings.clone(),
             world,
@@ -76,9 +74,43 @@ impl Cpu {
         self.job.as_ref().map(|j| &j.world)
     }
 
-    fn job(&mut self) -> Result<&mut Job> {
-        self.job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))
+    /// Changes the world in use, on the threads of this back end. What has been summed is of the world before: it is the
+    /// caller's to [`Cpu::restart`].
+    ///
+    /// # Errors
+    /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
+    pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(nothing)?;
+        pool.install(|| job.world.apply(edit))
     }
+
+    /// Starts the picture of the world as it stands afresh, seen by `eye`.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn restart(&mut self, eye: Eye) -> Result<()> {
+        let job = self.job()?;
+        job.plan = Plan::new(&job.world, &job.settings);
+        job.frame = empty(&eye, &job.settings, &job.integrators);
+        job.statistics = Statistics::default();
+        job.eye = eye;
+        Ok(())
+    }
+
+    fn job(&mut self) -> Result<&mut Job> {
+        self.job.as_mut().ok_or_else(nothing)
+    }
+}
+
+fn nothing() -> Error {
+    Error::BadSetting("nothing to render: call begin first".into())
+}
+
+fn empty(eye: &Eye, settings: &Settings, integrators: &[&'static dyn Integrator]) -> Frame {
+    let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+    let (width, height) = eye.size();
+    Frame::new(width, height, &names, settings.replicates, settings.auxiliary)
 }
 
 impl Backend for Cpu {
@@ -90,8 +122,7 @@ impl Backend for Cpu {
 
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
-        let job =
-            job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
+        let job = job.as_mut().ok_or_else(nothing)?;
         pool.install(|| job.add(batch));
         Ok(())
     }

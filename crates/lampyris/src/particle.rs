@@ -38,12 +38,14 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of emitters [m⁻²]: one for all, since each of their N paths carries the same light, whose
-    /// place is known to within the emitters' mean area, Σ p_ℓ A_ℓ.
+    /// b for the points of emitters [m⁻²]: one for all, since each path carries the same light, an N-th of what the
+    /// file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
     pub emitter_bound: f32,
     absorption: Absorption,
     /// x₀ of each emitter: its expected (or floored) number of paths.
     starts: Vec<f64>,
+    /// Expected paths of all emitters of lower numbers, whether they are there or not.
+    firsts: Vec<u64>,
 }
 
 /// The lights of one batch, sorted by the eye pass that gathers them.
@@ -82,14 +84,22 @@ impl Plan {
             if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
         };
         let q = f64::from(survival);
-        let shares = world.shares().iter().copied().map(f64::from);
-        let emitting = world.emitters().iter().zip(shares).map(|(e, p)| p * f64::from(e.area())).sum();
+        let chances = world.chances().iter().copied().map(f64::from);
+        let emitting = world.emitters().iter().zip(chances).map(|(e, p)| p * f64::from(e.area())).sum();
+        let mut before = 0.0;
+        let mut first = |share: f32| {
+            let first = before as u64;
+            before += n * f64::from(share);
+            first
+        };
+        let firsts = world.scene().reference.shares.iter().map(|of| first(of.share)).collect();
         Plan {
             survival,
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
             emitter_bound: bound_of(emitting, n),
             absorption: settings.absorption,
             starts,
+            firsts,
         }
     }
 
@@ -164,6 +174,11 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
         let x0 = plan.expected(emitter, 0);
+        let of = &world.emitters()[emitter];
+        if of.importance(world.bounds()) <= 0.0 && of.power(world.bounds()).is_black() {
+            // Its paths would carry nothing. Those of others are the same with or without them.
+            continue;
+        }
         let seed = sequence::hash(seed, emitter as u32 + 1);
         let threshold = match settings.absorption {
             Absorption::Paper => 0.0,
@@ -176,7 +191,7 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
                 break;
             }
             // Consecutive paths spread over the passes, or survivors, a prefix, would sit in a corner of the pixel.
-            let order = paths.len() as u64;
+            let order = (plan.firsts[emitter] + u64::from(i)) % u64::from(passes);
             let pass = ((order * u64::from(stride) + u64::from(first)) % u64::from(passes)) as u32;
             paths.push(Path { emitter, rank, index: base.wrapping_add(i), seed, pass });
         }

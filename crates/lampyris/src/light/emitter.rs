@@ -92,6 +92,9 @@ pub struct Bounds {
 }
 
 impl Emitter {
+    /// What stands in the place of an emitter that is not there: it sends out nothing.
+    pub const NONE: Emitter = Emitter::Lamp(LightKind::Point { position: Vec3::ZERO, intensity: Rgb::BLACK });
+
     /// Luminous flux [lm] per channel; for distant light, the flux through the scene's bounding sphere.
     pub fn power(&self, bounds: Bounds) -> Rgb {
         let disc = PI * bounds.radius * bounds.radius;
@@ -372,7 +375,8 @@ fn cube_root_of_rest(v: f32, rim: f32) -> f32 {
 
 impl From<&Light> for Emitter {
     fn from(light: &Light) -> Emitter {
-        Emitter::Lamp(light.kind.clone())
+        let dark = light.state != super::State::On;
+        Emitter::Lamp(if dark { light.kind.clone().with_brightness(Rgb::BLACK) } else { light.kind.clone() })
     }
 }
 

@@ -258,6 +258,16 @@ impl Tree {
         self.hierarchy.memory() + size_of_val(&self.blocks[..])
     }
 
+    /// Takes the triangles of an instance out: NaN overwrites them, and the boxes stay.
+    pub(super) fn erase(&mut self, instance: u32) {
+        self.blocks.par_iter_mut().with_min_len(1024).for_each(|block| block.erase(instance));
+    }
+
+    /// Asks another screen for holes.
+    pub(super) fn ask(&mut self, screen: &Screen) {
+        self.screen = screen.clone();
+    }
+
     /// Offers `best` what a ray of the world meets. If the tree is that of a shared mesh, it also needs the place of the
     /// instance and the ray against the boxes of that mesh. Rays are made ready in the kernels, where it costs least.
     pub(super) fn closest(
@@ -382,6 +392,12 @@ impl Block {
             block.count += 1;
         }
         block
+    }
+
+    fn erase(&mut self, instance: u32) {
+        for i in (0..WIDTH).filter(|i| self.instance[*i] == instance) {
+            self.corners.iter_mut().for_each(|of| of[i] = f32::NAN);
+        }
     }
 
     fn corners(&self, i: usize) -> [Vec3; 3] {
