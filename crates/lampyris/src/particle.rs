@@ -174,8 +174,7 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
         let x0 = plan.expected(emitter, 0);
-        let of = &world.emitters()[emitter];
-        if of.importance(world.bounds()) <= 0.0 && of.power(world.bounds()).is_black() {
+        if world.emitters()[emitter].is_dark() {
             // Its paths would carry nothing. Those of others are the same with or without them.
             continue;
         }

@@ -113,13 +113,13 @@ impl World {
         &self.emitters.all
     }
 
-    /// p_ℓ, what each emitter has of the light paths. They sum to 1 in a scene as it was loaded; what is added brings
-    /// its own.
+    /// p_ℓ, what each emitter has of the light paths, dark or not. They sum to 1 in a scene as it was loaded; what is
+    /// added brings its own.
     pub fn shares(&self) -> &[f32] {
         &self.emitters.shares
     }
 
-    /// The shares scaled to sum to 1: with what probability [`World::choose_emitter`] chooses each.
+    /// The shares of those that are not dark, scaled to sum to 1: with what probability [`World::choose_emitter`] chooses each.
     pub fn chances(&self) -> &[f32] {
         &self.emitters.chances
     }

@@ -122,6 +122,12 @@ impl Emitter {
         }
     }
 
+    /// True if it certainly sends out nothing.
+    pub fn is_dark(&self) -> bool {
+        let bounds = Bounds { center: Vec3::ZERO, radius: 1.0 };
+        self.importance(bounds) <= 0.0 && self.power(bounds).is_black()
+    }
+
     /// Area of the shining surface [m²]; 0 for lights that have none.
     pub fn area(&self) -> f32 {
         match self {

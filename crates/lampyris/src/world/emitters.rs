@@ -1,8 +1,8 @@
 //! The emitters of a scene, and how the light paths are dealt to them (docs/light-transport.md, "The walk").
 //!
 //! An emitter's number is its place in the scene's [`Reference`], where everything is entered that ever shone: it stays,
-//! and so do its random numbers and its share, whatever becomes of the others. What is there and dark keeps its share,
-//! since the sampling must not depend on who is dimmed; what was taken away has none.
+//! and so do its random numbers and its share, whatever becomes of the others. What is there and dark keeps its share for
+//! when it shines again; what was taken away has none until it is back.
 
 use super::facet::Facets;
 use super::finish::Finish;
@@ -28,7 +28,7 @@ pub(super) struct Emitters {
     sides: BTreeMap<(u32, u32), [Option<u32>; 2]>,
     /// What each has of the N paths of a batch.
     pub(super) shares: Vec<f32>,
-    /// The same, summing to 1.
+    /// The same of those that are not dark, summing to 1.
     pub(super) chances: Vec<f32>,
     /// Running sum of the chances.
     cumulative: Vec<f32>,
@@ -180,15 +180,17 @@ impl Emitters {
         let there = |k: &usize| self.there[*k];
         let shares = self.reference.shares.iter().zip(&self.there);
         self.shares = shares.map(|(of, there)| if *there { of.share } else { 0.0 }).collect();
-        let total: f64 = self.shares.iter().copied().map(f64::from).sum();
+        let bright = |(e, p): (&Emitter, &f32)| if e.is_dark() { 0.0 } else { f64::from(*p) };
+        let weights: Vec<f64> = self.all.iter().zip(&self.shares).map(bright).collect();
+        let total: f64 = weights.iter().sum();
         let chance = |p: f64| if total > 0.0 { (p / total) as f32 } else { 0.0 };
-        self.chances = self.shares.iter().map(|p| chance(f64::from(*p))).collect();
+        self.chances = weights.iter().map(|p| chance(*p)).collect();
         let mut running = 0.0;
-        let mut run = |p: &f32| {
-            running += f64::from(*p);
+        let mut run = |p: &f64| {
+            running += p;
             chance(running)
         };
-        self.cumulative = self.shares.iter().map(&mut run).collect();
+        self.cumulative = weights.iter().map(&mut run).collect();
         let lit = |k: &usize| self.all[*k].area() > 0.0 && matches!(self.all[*k], Emitter::Lamp(_));
         let numbers = || (0..self.all.len()).filter(there);
         self.lamps = numbers().filter(lit).map(|k| k as u32).collect();
