@@ -15,8 +15,13 @@ use crate::world::World;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
+/// Least edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
 const TILE: u32 = 16;
+
+/// The least edge for n interleaved pixels: whole packets of each class.
+fn tile_edge(n: u32) -> u32 {
+    TILE.div_ceil(4 * n) * 4 * n
+}
 
 /// All cores of this machine, or as many threads as one likes.
 pub struct Cpu {
@@ -121,14 +126,12 @@ struct Summed {
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
-        let (width, height) = self.eye.size();
+        let width = self.eye.size().0;
         let passes = self.settings.eye_passes();
-        let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
-        let run = passes.div_ceil(PIECES.div_ceil(tiles.max(1)));
-        let pieces: Vec<(Rect, Range<u32>)> = (0..height)
-            .step_by(TILE as usize)
-            .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| (x, y)))
-            .map(|(x, y)| Rect { x, y, width: TILE.min(width - x), height: TILE.min(height - y) })
+        let rects = self.rects();
+        let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32));
+        let pieces: Vec<(Rect, Range<u32>)> = rects
+            .into_iter()
             .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
             .collect();
         let done: Vec<Summed> = pieces
@@ -158,6 +161,15 @@ impl Job {
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
+    /// The picture cut into tiles.
+    fn rects(&self) -> Vec<Rect> {
+        let (width, height) = self.eye.size();
+        let [w, h] = self.settings.interleave.map(tile_edge);
+        let rows = (0..height).step_by(h as usize);
+        let corners = rows.flat_map(|y| (0..width).step_by(w as usize).map(move |x| (x, y)));
+        corners.map(|(x, y)| Rect { x, y, width: w.min(width - x), height: h.min(height - y) }).collect()
+    }
+
     /// Some eye passes of a batch in one tile.
     fn render(&self, rect: Rect, numbers: Range<u32>, batch: Batch, walk: &Walk<'_>) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
@@ -166,23 +178,31 @@ impl Job {
         let mut auxiliary = self.settings.auxiliary.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
-        let mut tile = self.eye.tile(&self.world, rect);
+        let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
         for number in numbers {
             let sampling = self.sampling(batch, number);
-            self.eye.look(&sampling, &mut tile);
-            rays.eye += tile.rays;
-            let pass = Pass {
-                world: &self.world,
-                settings: &self.settings,
-                plan: &self.plan,
-                eye: &self.eye,
-                lights: walk.lights_of(number),
-                vpls: walk.vpls_of(number),
-                sampling,
-            };
+            for tile in &mut tiles {
+                self.eye.look(&sampling, tile);
+                rays.eye += tile.rays;
+            }
+            let first = number * tiles.len() as u32;
+            let passes: Vec<Pass<'_>> = (first..first + tiles.len() as u32)
+                .map(|class| Pass {
+                    world: &self.world,
+                    settings: &self.settings,
+                    plan: &self.plan,
+                    eye: &self.eye,
+                    lights: walk.lights_of(class),
+                    vpls: walk.vpls_of(class),
+                    beacons: walk.beacons_of(class),
+                    sampling,
+                })
+                .collect();
             for (integrator, sum) in self.integrators.iter().zip(&mut parts) {
                 once.fill(Rgb::BLACK);
-                integrator.add(&pass, &tile, &mut once, &mut rays);
+                for (pass, tile) in passes.iter().zip(&tiles) {
+                    integrator.add(pass, tile, &mut once, &mut rays);
+                }
                 for (s, v) in sum.iter_mut().zip(&once) {
                     if v.is_finite() {
                         *s += *v;
@@ -192,7 +212,7 @@ impl Job {
                 }
             }
             if let Some(sums) = &mut auxiliary {
-                note_first(&tile, sums);
+                tiles.iter().for_each(|tile| note_first(tile, sums));
             }
         }
         Summed { rect, parts, auxiliary, rays, non_finite }

@@ -11,13 +11,14 @@ mod emission;
 pub mod gather;
 mod mirror;
 mod path;
+mod pick;
 mod short;
 mod vpl;
 
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Sampling, Tile};
-use crate::particle::{Plan, Vpl};
+use crate::particle::{Beacon, Plan, Vpl};
 use crate::settings::{Rays, Settings};
 use crate::world::World;
 
@@ -36,6 +37,8 @@ pub struct Pass<'w> {
     pub lights: &'w [Vpl<'w>],
     /// Virtual point lights of this pass: an unbiased stand-in for all reflected light.
     pub vpls: &'w [Vpl<'w>],
+    /// The same for picking among them.
+    pub beacons: &'w [Beacon],
     /// Which sample of each pixel.
     pub sampling: Sampling,
 }
