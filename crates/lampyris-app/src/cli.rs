@@ -83,6 +83,9 @@ pub(crate) struct RenderArgs {
     /// Leave single bright speckles in PNG, where caustics have not settled
     #[arg(long)]
     pub(crate) no_despeckle: bool,
+    /// Average each batch between neighbours that see the same surface: auto, while the error shows, or off [default: off]
+    #[arg(long, value_name = "auto|off", value_parser = parse::filter)]
+    pub(crate) filter: Option<bool>,
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,

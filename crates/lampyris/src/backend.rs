@@ -26,6 +26,7 @@ impl Default for Settings {
             clamp: 1.5,
             replicates: 4,
             seed: 0,
+            filter: false,
             auxiliary: false,
         }
     }
@@ -43,6 +44,9 @@ impl Settings {
         }
         if self.interleave.iter().any(|n| !(1..=8).contains(n)) {
             return bad("pixels are interleaved 1 × 1 to 8 × 8");
+        }
+        if self.filter && self.eye_passes() != 1 {
+            return bad("to be filtered, a batch must have one eye pass");
         }
         if self.light_points == Some(0) || self.picks == Some(0) {
             return bad("light points and picked virtual lights must be at least 1");

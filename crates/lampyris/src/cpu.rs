@@ -6,7 +6,9 @@ use crate::backend::{Backend, Batch, Rays, Settings, Statistics};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Rect, Sampling, Tile};
+use crate::filter::{self, Glimpse, Seen};
 use crate::frame::{Auxiliary, Frame};
+use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
 use crate::scene::Scene;
@@ -17,6 +19,10 @@ use std::ops::Range;
 
 /// Least edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
 const TILE: u32 = 16;
+
+/// How far from each other's tangent plane the vertices of neighbouring pixels may lie and still be of one surface
+/// [edges of a pixel].
+const SLACK: f32 = 1.7;
 
 /// The least edge for n interleaved pixels: whole packets of each class.
 fn tile_edge(n: u32) -> u32 {
@@ -37,6 +43,8 @@ struct Job {
     plan: Plan,
     integrators: Vec<&'static dyn Integrator>,
     frame: Frame,
+    /// What the last batch saw, if it is to be filtered.
+    seen: Option<Seen>,
     statistics: Statistics,
 }
 
@@ -66,7 +74,8 @@ impl Cpu {
         let (width, height) = eye.size();
         self.job = Some(Job {
             plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            frame: Frame::new(width, height, &names, settings),
+            seen: settings.filter.then(|| Seen::new(width, height)),
             statistics: Statistics::default(),
             settings: settings.clone(),
             world,
@@ -119,6 +128,7 @@ struct Summed {
     rect: Rect,
     parts: Vec<Vec<Rgb>>,
     auxiliary: Option<Auxiliary>,
+    glimpse: Option<Glimpse>,
     rays: Rays,
     non_finite: u64,
 }
@@ -134,11 +144,18 @@ impl Job {
             .into_iter()
             .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
             .collect();
+        let sampling = self.sampling(batch, 0);
         let done: Vec<Summed> = pieces
             .par_iter()
             .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
             .collect();
 
+        if let (Some(seen), Some(shown)) = (&mut self.seen, self.frame.shown_mut()) {
+            seen.assemble(&done.iter().filter_map(|piece| piece.glimpse.as_ref()).collect::<Vec<_>>());
+            let interleave = self.settings.interleave;
+            let further = filter::show(&self.world, &self.eye, &sampling, seen, interleave, shown);
+            self.statistics.rays.eye += further;
+        }
         // A batch is summed by itself before it is added: others may then merge it to the same bits.
         let scale = 1.0 / passes as f32;
         let replicate = batch.index % self.settings.replicates;
@@ -215,7 +232,32 @@ impl Job {
                 tiles.iter().for_each(|tile| note_first(tile, sums));
             }
         }
-        Summed { rect, parts, auxiliary, rays, non_finite }
+        let glimpse = self.seen.is_some().then(|| self.glimpse(rect, &tiles, &parts));
+        Summed { rect, parts, auxiliary, glimpse, rays, non_finite }
+    }
+
+    /// What a batch of one eye pass saw in a tile.
+    fn glimpse(&self, rect: Rect, tiles: &[Tile<'_>], parts: &[Vec<Rgb>]) -> Glimpse {
+        let mut glimpse = Glimpse::new(rect);
+        let parts = || self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
+        for p in tiles.iter().flat_map(|tile| &tile.packets) {
+            for k in p.lanes() {
+                let at = p.pixels[k] as usize;
+                let sum = |smooth: bool| {
+                    parts()
+                        .filter(|(i, _)| i.is_smooth() == smooth)
+                        .fold(Rgb::BLACK, |s, (_, part)| s + part[at])
+                };
+                glimpse.light(at, sum(true), sum(false), p.emission[k]);
+            }
+            for k in lanes(p.live) {
+                let (position, normal) = (lane(&p.position, k), lane(&p.shading, k));
+                let tint = p.throughput[k] * p.reflectance[k];
+                let slack = self.eye.pixel_size(position) * SLACK;
+                glimpse.place(p.pixels[k] as usize, position, normal, p.alike(k), tint, slack);
+            }
+        }
+        glimpse
     }
 
     /// The sample that an eye pass takes: a jittered Hammersley point for its number, both coordinates shifted

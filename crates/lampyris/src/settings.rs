@@ -31,6 +31,8 @@ pub struct Settings {
     pub replicates: u32,
     /// Another seed, another picture of the same mean.
     pub seed: u32,
+    /// Also keep what is to be shown: each batch averaged between neighbours, see [`crate::filter`].
+    pub filter: bool,
     /// Also average albedo, normal, depth and object number of what the eye meets first.
     pub auxiliary: bool,
 }

@@ -117,6 +117,14 @@ impl Eye {
         }
     }
 
+    /// Edge of a pixel where it shows `position` [m]; nothing for meters.
+    pub fn pixel_size(&self, position: Vec3) -> f32 {
+        match self {
+            Eye::Camera(view) => (position - view.eye()).length() * view.pixel_size(),
+            Eye::Meters(_) => 0.0,
+        }
+    }
+
     /// The numbers of a pixel's sample.
     pub fn numbers(&self, x: u32, y: u32, sampling: &Sampling) -> Numbers {
         let pixel = y.wrapping_mul(self.size().0).wrapping_add(x);

@@ -49,6 +49,11 @@ pub trait Integrator: Send + Sync {
     fn name(&self) -> &'static str;
     /// The paths it covers, in the notation of docs/light-transport.md.
     fn paths(&self) -> &'static str;
+    /// True if its light varies slowly over a surface, so that what is shown may be averaged between neighbours.
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
     /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` is row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays);
 }
