@@ -108,6 +108,11 @@ impl World {
         &self.tracer
     }
 
+    /// Its triangles.
+    pub fn facets(&self) -> &Facets {
+        &self.facets
+    }
+
     /// All emitters, in an order fixed by the scene, with [`Emitter::NONE`] where one is not there any more.
     pub fn emitters(&self) -> &[Emitter] {
         &self.emitters.all

@@ -8,6 +8,7 @@ mod packet;
 pub mod ray;
 mod replace;
 mod screen;
+mod simd_dispatch;
 mod tracer;
 
 pub use bvh::Kernel;
@@ -18,4 +19,5 @@ pub use packet::{Hits16, LANES};
 pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
+pub use simd_dispatch::Wide;
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};
