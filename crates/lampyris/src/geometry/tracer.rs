@@ -2,7 +2,9 @@
 //! one tree in world space; meshes used more often keep a tree each, below a tree over their instances. It knows
 //! neither materials nor light. How one instance comes to stand elsewhere is said in `replace`.
 
-use super::bvh::{Best, Bounds, End, Hierarchy, Item, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
+use super::bvh::{
+    Best, Bounds, End, Grafted, Hierarchy, Item, Kernel, Placed, Plane, Primitive, Slab, Tree, build,
+};
 use super::{Hit, Ray, Screen};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -33,10 +35,8 @@ pub struct Placement {
 #[derive(Clone, Debug)]
 pub struct Tracer {
     pub(super) kernel: Kernel,
-    /// Trees in world space: of all meshes that were used once, and then of what was placed anew since.
-    pub(super) flat: Vec<Tree>,
-    /// Which instances the trees after the first hold.
-    pub(super) loose: Vec<Vec<u32>>,
+    /// In world space: all meshes that were used once, and what was placed anew since.
+    pub(super) flat: Grafted,
     /// Of each mesh the tree that its instances share; `u32::MAX` for none.
     pub(super) trees: Vec<u32>,
     pub(super) shared: Vec<Shared>,
@@ -131,8 +131,7 @@ impl Tracer {
         }
         let mut tracer = Tracer {
             kernel: Kernel::detect(),
-            flat: vec![flat],
-            loose: Vec::new(),
+            flat: Grafted::new(flat),
             trees,
             shared,
             top: Hierarchy::default(),
@@ -158,9 +157,8 @@ impl Tracer {
 
     /// The box around everything; what was taken out of a tree may still count.
     pub(super) fn measure(&mut self) {
-        let trees = self.flat.iter().map(Tree::bounds);
-        let boxes = trees.chain(self.placed.iter().map(|i| i.bounds));
-        self.bounds = boxes.fold(Bounds::default(), |a, b| a.union(&b));
+        let boxes = self.placed.iter().map(|i| i.bounds);
+        self.bounds = boxes.fold(self.flat.tree.bounds(), |a, b| a.union(&b));
     }
 
     /// The nearest hit with 0 < t < `t_max`; of equally near ones that of the smallest instance, then triangle. Rays
@@ -170,7 +168,7 @@ impl Tracer {
             return None;
         }
         let mut best = Best::none(ray.t_max);
-        self.flat.iter().for_each(|tree| tree.closest(self.kernel, ray, None, &mut best));
+        self.flat.tree.closest(self.kernel, ray, None, &mut best);
         self.closest_placed(ray, &mut best);
         best.hit()
     }
@@ -203,7 +201,7 @@ impl Tracer {
     }
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
-        self.flat.iter().any(|tree| tree.occluded(self.kernel, ray, end, None)) || self.placed_stop(ray, end)
+        self.flat.tree.occluded(self.kernel, ray, end, None) || self.placed_stop(ray, end)
     }
 
     /// Does a shared mesh block the ray?
@@ -236,8 +234,7 @@ impl Tracer {
     /// Bytes held by the trees.
     pub fn memory(&self) -> usize {
         let shared: usize = self.shared.iter().map(|s| s.tree.memory()).sum();
-        let flat: usize = self.flat.iter().map(Tree::memory).sum();
-        flat + shared + self.top.memory() + size_of_val(&self.placed[..])
+        self.flat.memory() + shared + self.top.memory() + size_of_val(&self.placed[..])
     }
 
     pub(super) fn has_placed(&self) -> bool {

@@ -75,7 +75,7 @@ pub(super) fn replace(tracer: &mut Tracer, scene: &Arc<Scene>, instance: u32, le
         .collect();
     let concerned: Vec<(u32, MeshGeometry<'_>, Placement)> =
         concerned.iter().map(|(number, mesh, at, flags)| (*number, flags.of(mesh), *at)).collect();
-    tracer.replace(instance, now.as_ref(), &concerned, &screen(scene));
+    tracer.replace(instance, now.as_ref(), &concerned);
 }
 
 /// True if the tracer sees surfaces of the two materials alike.
