@@ -1,9 +1,9 @@
 //! A tree with small trees grafted on: what was placed anew since the tree was built. Rays walk one hierarchy as before;
 //! above the old root and those of the grafts stand a few nodes that are built whenever a graft changes. What the old tree
-//! holds of an instance that now stands elsewhere is overwritten with NaN, which nothing hits.
+//! holds of an instance that now stands elsewhere is overwritten with NaN, which nothing hits, and its boxes shrink.
 
 use super::build::{SAH_DEPTH, build};
-use super::{Bounds, Hierarchy, Item, LEAF, NONE, Node, Tree};
+use super::{Block, Bounds, Hierarchy, Item, LEAF, NONE, Node, Tree, WIDTH};
 use rayon::prelude::*;
 
 /// Most grafts; beyond it somebody has to join them. It bounds how deep the tree becomes.
@@ -33,6 +33,43 @@ struct Graft {
     tree: Tree,
 }
 
+impl Block {
+    /// Takes the triangles of an instance out; false if there are none.
+    fn erase(&mut self, instance: u32) -> bool {
+        let mut found = false;
+        for i in (0..WIDTH).filter(|i| self.instance[*i] == instance) {
+            found |= !self.corners[0][i].is_nan();
+            self.corners.iter_mut().for_each(|of| of[i] = f32::NAN);
+        }
+        found
+    }
+
+    /// The box around its triangles.
+    fn bounds(&self) -> Bounds {
+        let there = (0..WIDTH).filter(|i| !self.corners[0][*i].is_nan());
+        there.fold(Bounds::default(), |b, i| b.union(&Bounds::of(&self.corners(i))))
+    }
+}
+
+impl Node {
+    /// Shrinks its boxes to what is left of its children: nodes with these boxes, or blocks. Returns the box around all.
+    fn fit(&mut self, nodes: &[Bounds], blocks: &[Block]) -> Bounds {
+        let mut all = Bounds::default();
+        for (i, child) in self.child.iter().enumerate().filter(|(_, child)| **child != NONE) {
+            let bounds = match child & LEAF {
+                0 => nodes[*child as usize],
+                _ => blocks[(child & !LEAF) as usize].bounds(),
+            };
+            for axis in 0..3 {
+                self.bounds[axis][i] = bounds.lower[axis];
+                self.bounds[axis + 3][i] = bounds.upper[axis];
+            }
+            all = all.union(&bounds);
+        }
+        all
+    }
+}
+
 impl Grafted {
     pub(in crate::geometry) fn new(tree: Tree) -> Grafted {
         Grafted {
@@ -53,17 +90,16 @@ impl Grafted {
 
     /// Takes instances out, and grafts a tree of them on, if there is one.
     pub(in crate::geometry) fn replace(&mut self, instances: &[u32], tree: Option<Tree>) {
-        let mut first = self.grafts.len();
+        let (mut first, stock) = (self.grafts.len(), self.nodes);
         for number in instances {
             match self.grafts.iter().position(|g| g.instances.contains(number)) {
-                None => {
-                    let old = &mut self.tree.blocks[..self.blocks];
-                    old.par_iter_mut().with_min_len(1024).for_each(|block| block.erase(*number));
-                }
+                None => self.cut(*number),
                 Some(k) => {
                     let graft = &mut self.grafts[k];
                     graft.instances.retain(|i| i != number);
-                    graft.tree.blocks.iter_mut().for_each(|block| block.erase(*number));
+                    for block in &mut graft.tree.blocks {
+                        block.erase(*number);
+                    }
                     if graft.instances.is_empty() {
                         self.grafts.remove(k);
                     }
@@ -73,7 +109,28 @@ impl Grafted {
         }
         // What moves now will probably move again: at the end it disturbs no others.
         self.grafts.extend(tree.map(|tree| Graft { instances: instances.to_vec(), tree }));
-        self.grow(first);
+        self.grow(if stock == self.nodes { first } else { 0 });
+    }
+
+    /// Takes an instance out of the old tree: one look at each block.
+    fn cut(&mut self, instance: u32) {
+        let Hierarchy { nodes, .. } = &mut self.tree.hierarchy;
+        let (old, Some(root)) = (&mut self.tree.blocks[..self.blocks], &mut self.root) else { return };
+        let erase = |block: &mut Block| block.erase(instance);
+        if !old.par_iter_mut().with_min_len(1024).map(erase).reduce(|| false, |a, b| a | b) {
+            return;
+        }
+        // Children come after their parents.
+        let mut boxes = vec![Bounds::default(); self.nodes];
+        for k in (1..self.nodes).rev() {
+            boxes[k] = nodes[k].fit(&boxes, old);
+        }
+        self.bounds = root.fit(&boxes, old);
+        if self.bounds.is_empty() {
+            (self.nodes, self.blocks, self.root) = (0, 0, None);
+            nodes.clear();
+            self.tree.blocks.clear();
+        }
     }
 
     /// Bytes held.
@@ -117,6 +174,11 @@ impl Grafted {
                 roots.push(next);
             }
             next += graft.tree.hierarchy.nodes.len() as u32;
+        }
+        if items.is_empty() {
+            nodes.clear();
+            tree.hierarchy.bounds = Bounds::default();
+            return;
         }
         let (top, leaves) = build(&mut items, 1);
         let Hierarchy { nodes: above, bounds } = top;

@@ -421,13 +421,6 @@ impl Block {
         block
     }
 
-    /// Takes the triangles of an instance out.
-    fn erase(&mut self, instance: u32) {
-        for i in (0..WIDTH).filter(|i| self.instance[*i] == instance) {
-            self.corners.iter_mut().for_each(|of| of[i] = f32::NAN);
-        }
-    }
-
     fn corners(&self, i: usize) -> [Vec3; 3] {
         [0, 1, 2].map(|c| {
             Vec3::new(self.corners[3 * c][i], self.corners[3 * c + 1][i], self.corners[3 * c + 2][i])
