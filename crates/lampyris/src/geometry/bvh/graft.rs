@@ -7,7 +7,7 @@ use super::{Block, Bounds, Hierarchy, Item, LEAF, NONE, Node, Tree, WIDTH};
 use rayon::prelude::*;
 
 /// Most grafts; beyond it somebody has to join them. It bounds how deep the tree becomes.
-pub(in crate::geometry) const MOST: usize = 1 << 12;
+pub(in crate::geometry) const MOST: usize = 1 << 10;
 
 /// Levels above the old root and the grafts: below those by area each halves the largest range.
 pub(super) const DEPTH: usize = SAH_DEPTH + MOST.ilog2() as usize + 1;
