@@ -52,6 +52,8 @@ pub(crate) enum Command {
     /// Measure illuminance [lx] at points of a scene
     #[command(after_help = MEASURE_EXAMPLES)]
     Measure(MeasureArgs),
+    /// Measure how fast this machine is
+    Bench(BenchArgs),
     /// Say what is in a scene
     Info(InfoArgs),
     /// List parts, sequences, formats and tone curves
@@ -263,6 +265,31 @@ pub(crate) struct MeasureArgs {
     /// Say nothing but errors
     #[arg(long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// Folder of the scenes that ship
+    #[arg(long, value_name = "DIR", default_value = "scenes")]
+    pub(crate) scenes: PathBuf,
+    /// Measure this scene instead; may repeat
+    #[arg(long, value_name = "FILE")]
+    pub(crate) scene: Vec<PathBuf>,
+    /// Width and height [pixels]
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = parse::size)]
+    pub(crate) size: (u32, u32),
+    /// Threads, one row each [default: 1, and one a core]
+    #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) threads: Vec<u32>,
+    /// Frames a row; the median counts
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) frames: u32,
+    /// Also measure frames as they are shown by default, with virtual lights picked
+    #[arg(long)]
+    pub(crate) picked: bool,
+    /// Print an array of rows
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

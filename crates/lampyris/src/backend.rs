@@ -21,6 +21,7 @@ impl Default for Settings {
             interleave: [1, 1],
             light_points: None,
             picks: None,
+            longest: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
             clamp: 1.5,

@@ -83,6 +83,13 @@ impl Cpu {
         Ok(())
     }
 
+    /// Starts afresh in the world in use.
+    pub fn restart(&mut self, eye: Eye, settings: &Settings) -> Result<()> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
+        let world = self.job.take().ok_or_else(nothing)?.world;
+        self.begin_world(world, eye, settings)
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)

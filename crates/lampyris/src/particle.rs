@@ -302,7 +302,9 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut ray = Ray::new(start.origin, start.direction);
     let mut flux = start.flux;
     let mut last: Option<Surface<'w>> = None;
-    for generation in 1.. {
+    // A vertex of generation j is j + 2 segments from the eye at least.
+    let last_generation = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));
+    for generation in 1..=last_generation {
         let expected = plan.expected(path.emitter, generation);
         if path.rank >= expected {
             break;
