@@ -70,10 +70,12 @@ impl Cpu {
     pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
         settings.check()?;
         let integrators = integrator::select(&settings.parts)?;
+        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+        let (width, height) = eye.size();
         self.job = Some(Job {
             plan: Plan::new(&world, settings),
-            frame: empty(&eye, settings, &integrators),
-            seen: seen(&eye, settings),
+            frame: Frame::new(width, height, &names, settings),
+            seen: settings.filter.then(|| Seen::new(width, height)),
             statistics: Statistics::default(),
             settings: settings.clone(),
             world,
@@ -101,43 +103,15 @@ impl Cpu {
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
     pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         pool.install(|| job.world.apply(edit))
     }
 
-    /// Starts the picture of the world as it stands afresh, seen by `eye`.
-    ///
-    /// # Errors
-    /// [`Error::BadSetting`] before `begin`.
-    pub fn restart(&mut self, eye: Eye) -> Result<()> {
-        let job = self.job()?;
-        job.plan = Plan::new(&job.world, &job.settings);
-        job.frame = empty(&eye, &job.settings, &job.integrators);
-        job.seen = seen(&eye, &job.settings);
-        job.statistics = Statistics::default();
-        job.eye = eye;
-        Ok(())
-    }
-
     fn job(&mut self) -> Result<&mut Job> {
-        self.job.as_mut().ok_or_else(nothing)
+        self.job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))
     }
-}
-
-fn nothing() -> Error {
-    Error::BadSetting("nothing to render: call begin first".into())
-}
-
-fn empty(eye: &Eye, settings: &Settings, integrators: &[&'static dyn Integrator]) -> Frame {
-    let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-    let (width, height) = eye.size();
-    Frame::new(width, height, &names, settings)
-}
-
-fn seen(eye: &Eye, settings: &Settings) -> Option<Seen> {
-    let (width, height) = eye.size();
-    settings.filter.then(|| Seen::new(width, height))
 }
 
 impl Backend for Cpu {
@@ -149,7 +123,8 @@ impl Backend for Cpu {
 
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
-        let job = job.as_mut().ok_or_else(nothing)?;
+        let job =
+            job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
         pool.install(|| job.add(batch));
         Ok(())
     }

@@ -18,6 +18,7 @@ pub struct Session {
     cpu: Cpu,
     /// Width and height [pixels].
     size: [u32; 2],
+    settings: Settings,
     log: Vec<Edit>,
     /// What takes the last edits back, the latest at the end.
     undo: Vec<Edit>,
@@ -40,7 +41,14 @@ impl Session {
         let eye = eye(scene.view.as_ref(), size)?;
         let mut cpu = Cpu::new(threads)?;
         cpu.begin(scene, eye, settings)?;
-        Ok(Session { cpu, size, log: Vec::new(), undo: Vec::new(), redo: Vec::new() })
+        Ok(Session {
+            cpu,
+            size,
+            settings: settings.clone(),
+            log: Vec::new(),
+            undo: Vec::new(),
+            redo: Vec::new(),
+        })
     }
 
     /// Changes the scene. It takes effect in the next step.
@@ -143,7 +151,7 @@ impl Session {
         self.log.push(edit.clone());
         if changes.any() {
             let eye = eye(self.scene()?.view.as_ref(), self.size)?;
-            self.cpu.restart(eye)?;
+            self.cpu.restart(eye, &self.settings)?;
         }
         Ok(changes)
     }
