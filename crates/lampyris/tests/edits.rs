@@ -4,13 +4,16 @@ mod stage;
 
 use glam::{Affine3A, Vec3};
 use lampyris::Rgb;
+use lampyris::backend::{Batch, Settings};
 use lampyris::geometry::Ray;
 use lampyris::light::{Light, LightKind, State};
 use lampyris::material::Material;
+use lampyris::particle::{Plan, Vpl, Walk};
 use lampyris::scene::{Camera, Edit, Instance, Scene};
 use lampyris::world::World;
 use stage::support::{diffuse, glass};
 use stage::{Chance, some_edit, stage};
+use std::collections::HashSet;
 
 /// Everything but rays.
 fn same_figures(edited: &World, fresh: &World, when: &str) {
@@ -131,6 +134,48 @@ fn what_was_done_is_undone() {
         world.shares()[fresh.shares().len()..].iter().all(|p| *p == 0.0)
             || scene.lights[1] == stage().lights[1]
     );
+}
+
+/// The particles of a batch, without those of emitters that the edits are about, are in every walk after them.
+#[test]
+fn nobody_elses_particles_change() {
+    let settings = Settings { paths: 400, ..Settings::default() };
+    let mut world = World::new(stage());
+    let walk = |world: &World| {
+        let plan = Plan::new(world, &settings);
+        let walk = Walk::new(world, &settings, &plan, Batch { index: 5 });
+        let bits = |v: &Vpl<'_>| {
+            let [x, y, z] = v.position.to_array();
+            let [r, g, b] = v.intensity.to_array();
+            [x, y, z, r, g, b].map(f32::to_bits)
+        };
+        walk.lights.iter().chain(&walk.vpls).map(bits).collect::<HashSet<_>>()
+    };
+    let lamp = |x: f32| LightKind::Point { position: Vec3::new(x, 1.1, 1.1), intensity: Rgb::grey(2.0) };
+    let off = |light: u32| Edit::Switch { light, state: State::Off };
+    world.apply(&off(0)).expect("a sound edit");
+    let others = walk(&world);
+    let edits = [
+        Edit::Switch { light: 0, state: State::On },
+        Edit::Light { light: 0, kind: lamp(0.3) },
+        Edit::Light { light: 0, kind: lamp(0.4) },
+        Edit::Light { light: 1, kind: lamp(0.5) },
+        Edit::AddLight { light: Light::new("", lamp(0.9)) },
+        Edit::Switch { light: 0, state: State::Away },
+    ];
+    let mut before = others.clone();
+    for edit in &edits {
+        world.apply(edit).expect("a sound edit");
+        let now = walk(&world);
+        assert!(others.len() > 300 && now != before, "{edit:?}");
+        assert!(
+            others.is_subset(&now),
+            "{} of {} after {edit:?}",
+            others.intersection(&now).count(),
+            others.len()
+        );
+        before = now;
+    }
 }
 
 /// What makes no sense is refused, and changes nothing.
