@@ -195,6 +195,40 @@
 //! # Ok::<(), lampyris::Error>(())
 //! ```
 //!
+//! # 7. To work in it
+//!
+//! A [`session::Session`] is a scene that is edited while its picture grows. An [`scene::Edit`] says what shall be; it
+//! takes effect in the next step, can be taken back, and the log of all of them replays to the same picture.
+//!
+//! ```
+//! # use lampyris::{Rgb, backend::Settings, import, scene::Camera};
+//! # use std::path::Path;
+//! # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.mgf");
+//! # let mut scene = import::load(Path::new(file), &import::Options::default())?.scene;
+//! # let (eye, target, up) = ([2.78, 2.73, -8.0].into(), [2.78, 2.73, 0.0].into(), [0.0, 1.0, 0.0].into());
+//! use lampyris::scene::Edit;
+//! use lampyris::session::Session;
+//!
+//! scene.view = Some(Camera { name: "front".into(), eye, target, up, fov_y: 39.3 });
+//! let lamp = scene.materials.iter().position(|m| !m.emission.is_black()).unwrap();
+//! let settings = Settings { paths: 16, ..Settings::default() };
+//! let mut session = Session::open(scene, [24, 24], &settings, None)?;
+//! session.settle(2)?;
+//! let full = session.frame()?.mean();
+//!
+//! let emission = session.scene()?.materials[lamp].emission * 0.5;
+//! let changes = session.edit(&Edit::Emission { material: lamp as u32, emission })?;
+//! assert!(!changes.geometry && changes.emitters == [0]); // no particle takes another way
+//! session.settle(2)?;
+//! let half = session.frame()?.mean();
+//! assert!(full.iter().zip(&half).all(|(f, h)| (f.g - 2.0 * h.g).abs() <= 1e-3 * f.g));
+//!
+//! session.undo()?;
+//! session.settle(2)?;
+//! assert_eq!(session.frame()?.mean(), full); // to the bit
+//! # Ok::<(), lampyris::Error>(())
+//! ```
+//!
 //! # Features
 //!
 //! `pictures` (default): the module `output`, with the crates `exr` and `png`. Without it the library needs nothing

@@ -31,23 +31,24 @@ impl Tracer {
             let soup = Soup::new(meshes);
             Tree::new(soup.count, |k| soup.primitive(k), &Screen::default())
         });
-        let mut placed = std::mem::take(&mut self.placed);
-        let before = placed.len();
-        placed.retain(|i| i.place.instance != number);
-        let was_placed = placed.len() < before;
-        if let Some(p) = placement.filter(|p| usable(p) && self.is_shared(p.mesh)) {
+        let place = placement.filter(|p| usable(p) && self.is_shared(p.mesh)).and_then(|p| {
             let tree = self.trees[p.mesh as usize];
             let of = &self.shared[tree as usize].tree;
-            if !of.is_empty() {
-                placed.push(Instance::new(number, tree, &of.bounds(), &p.transform));
-            }
-        }
+            (!of.is_empty()).then(|| Instance::new(number, tree, &of.bounds(), &p.transform))
+        });
+        let was_placed = self.placed.iter().any(|i| i.place.instance == number);
         if !was_placed || tree.is_some() {
             let others = concerned.iter().map(|(other, ..)| *other).filter(|other| *other != number);
             let numbers: Vec<u32> = others.chain([number]).collect();
             self.flat.replace(&numbers, tree);
         }
-        self.raise(placed);
+        if was_placed || place.is_some() {
+            let mut placed = std::mem::take(&mut self.placed);
+            placed.retain(|i| i.place.instance != number);
+            placed.extend(place);
+            self.raise(placed);
+        }
+        self.measure();
     }
 
     /// Asks another screen for the holes of all triangles; it must give the same answers.

@@ -35,7 +35,9 @@ pub(super) struct Emitters {
     /// Emitters that rays can meet without hitting a triangle: spheres and discs.
     pub(super) lamps: Vec<u32>,
     pub(super) environment: Option<u32>,
-    /// Boxes around those that have an area.
+    /// The box around each that has an area.
+    extents: Vec<Option<[Vec3; 2]>>,
+    /// All those boxes.
     pub(super) boxes: Vec<[Vec3; 2]>,
     /// Those that were set since [`Emitters::take_changed`].
     changed: Vec<u32>,
@@ -53,6 +55,7 @@ impl Emitters {
             numbers: (0..).zip(&reference.shares).map(|(number, of)| (of.source, number)).collect(),
             all: vec![Emitter::NONE; count],
             there: vec![false; count],
+            extents: vec![None; count],
             reference,
             sides: BTreeMap::new(),
             shares: Vec::new(),
@@ -77,14 +80,22 @@ impl Emitters {
                 self.reference.shares.push(Share { source, share: 0.0 });
                 self.all.push(Emitter::NONE);
                 self.there.push(false);
+                self.extents.push(None);
                 number
             }
         };
         let there = emitter.is_some();
-        self.there[number as usize] = there;
-        self.all[number as usize] = emitter.unwrap_or(Emitter::NONE);
-        self.changed.push(number);
+        self.put(number, emitter);
         there.then_some(number)
+    }
+
+    /// What stands under a number from now on.
+    fn put(&mut self, number: u32, emitter: Option<Emitter>) {
+        let k = number as usize;
+        self.there[k] = emitter.is_some();
+        self.extents[k] = emitter.as_ref().and_then(Emitter::extent);
+        self.all[k] = emitter.unwrap_or(Emitter::NONE);
+        self.changed.push(number);
     }
 
     /// A light that is no surface.
@@ -126,9 +137,7 @@ impl Emitters {
             self.sides.range((instance, 0)..=(instance, u32::MAX)).map(|(k, _)| *k).collect();
         for key in known {
             for number in self.sides.remove(&key).into_iter().flatten().flatten() {
-                self.all[number as usize] = Emitter::NONE;
-                self.there[number as usize] = false;
-                self.changed.push(number);
+                self.put(number, None);
             }
         }
         // Grouped in order of first appearance: emitters are numbered by the scene alone.
@@ -192,9 +201,8 @@ impl Emitters {
         };
         self.cumulative = weights.iter().map(&mut run).collect();
         let lit = |k: &usize| self.all[*k].area() > 0.0 && matches!(self.all[*k], Emitter::Lamp(_));
-        let numbers = || (0..self.all.len()).filter(there);
-        self.lamps = numbers().filter(lit).map(|k| k as u32).collect();
-        self.boxes = numbers().filter_map(|k| self.all[k].extent()).collect();
+        self.lamps = (0..self.all.len()).filter(there).filter(lit).map(|k| k as u32).collect();
+        self.boxes = self.extents.iter().flatten().copied().collect();
         given
     }
 

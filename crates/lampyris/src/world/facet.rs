@@ -159,6 +159,14 @@ impl Facets {
         self.mesh(instance).map_or(0, |(mesh, _)| mesh.triangles.len() as u32)
     }
 
+    /// Every triangle: (instance, triangle, facet).
+    pub fn iter(&self) -> impl Iterator<Item = (u32, u32, Facet)> {
+        (0..self.places.len() as u32).flat_map(move |instance| {
+            let triangles = 0..self.count(instance);
+            triangles.map(move |triangle| (instance, triangle, self.get(instance, triangle)))
+        })
+    }
+
     /// False only if some facet of the instance has bent normals.
     #[inline]
     pub fn all_flat(&self, instance: u32) -> bool {
