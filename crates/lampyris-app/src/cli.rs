@@ -83,6 +83,9 @@ pub(crate) struct RenderArgs {
     /// Leave single bright speckles in PNG, where caustics have not settled
     #[arg(long)]
     pub(crate) no_despeckle: bool,
+    /// Average each batch between neighbours that see the same surface: auto, while the error shows, or off [default: off]
+    #[arg(long, value_name = "auto|off", value_parser = parse::filter)]
+    pub(crate) filter: Option<bool>,
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,
@@ -129,6 +132,15 @@ pub(crate) struct EstimateArgs {
     /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one for 8 paths; one a path for `path`]
     #[arg(long, value_name = "N")]
     pub(crate) spp: Option<u32>,
+    /// Pixels that share the light paths of a batch among them, each lit by a class of its own [default: 1x1]
+    #[arg(long, value_name = "NxM", value_parser = parse::size)]
+    pub(crate) interleave: Option<(u32, u32)>,
+    /// Light points in one batch [default: one a light path]
+    #[arg(long, value_name = "N")]
+    pub(crate) light_points: Option<u32>,
+    /// Virtual lights that sixteen pixels pick by what they would give them unshadowed [default: all]
+    #[arg(long, value_name = "N")]
+    pub(crate) picks: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done
     #[arg(long, value_name = "SECONDS", value_parser = parse::seconds)]
     pub(crate) time: Option<Duration>,

@@ -77,8 +77,11 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     estimate::for_picture(&args.estimate, args.size, false)?;
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let textured = !loaded.scene.textures.is_empty();
-    let settings =
-        Settings { auxiliary: args.aov, ..estimate::for_picture(&args.estimate, args.size, textured)? };
+    let settings = Settings {
+        auxiliary: args.aov,
+        filter: args.filter == Some(true),
+        ..estimate::for_picture(&args.estimate, args.size, textured)?
+    };
     let loaded_at = Instant::now();
 
     let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
@@ -169,7 +172,8 @@ fn outputs(args: &RenderArgs) -> Result<Vec<PathBuf>, Error> {
 }
 
 fn picture(frame: &Frame, metadata: Vec<(String, String)>, aov: bool) -> Picture {
-    let mut picture = Picture::new(frame.width, frame.height, frame.mean());
+    let radiance = frame.shown().unwrap_or_else(|| frame.mean());
+    let mut picture = Picture::new(frame.width, frame.height, radiance);
     picture.metadata = metadata;
     if aov {
         picture.layers = layers(frame);

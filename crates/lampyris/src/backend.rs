@@ -18,11 +18,15 @@ impl Default for Settings {
             parts: integrator::WHOLE.iter().map(|n| (*n).to_owned()).collect(),
             paths: 64,
             passes: None,
+            interleave: [1, 1],
+            light_points: None,
+            picks: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
             clamp: 1.5,
             replicates: 4,
             seed: 0,
+            filter: false,
             auxiliary: false,
         }
     }
@@ -37,6 +41,15 @@ impl Settings {
         }
         if self.passes.is_some_and(|p| p == 0 || p > 1 << 22) {
             return bad("the number of eye passes must be 1 to 4194304");
+        }
+        if self.interleave.iter().any(|n| !(1..=8).contains(n)) {
+            return bad("pixels are interleaved 1 × 1 to 8 × 8");
+        }
+        if self.filter && self.eye_passes() != 1 {
+            return bad("to be filtered, a batch must have one eye pass");
+        }
+        if self.light_points == Some(0) || self.picks == Some(0) {
+            return bad("light points and picked virtual lights must be at least 1");
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

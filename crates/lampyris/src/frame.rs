@@ -1,8 +1,10 @@
 //! Sums of batches: one plane a part, one a randomisation. The only mutable thing that outlives a batch.
-//! No filter ever writes here; means and errors are asked for, never stored.
+//! No filter ever writes into them; what filtered batches show is summed beside. Means and errors are asked for, never
+//! stored.
 
 use crate::color::Rgb;
 use crate::eye::Rect;
+use crate::settings::Settings;
 use crate::testing::student_quantile;
 
 /// The sums of a picture, or of a list of meters (then one row).
@@ -18,6 +20,8 @@ pub struct Frame {
     replicates: Vec<Vec<f32>>,
     /// Batches added to each randomisation.
     batches: Vec<u32>,
+    /// Σ over the batches of what each shows, if filtered.
+    shown: Option<Vec<Rgb>>,
     auxiliary: Option<Auxiliary>,
 }
 
@@ -60,15 +64,16 @@ impl Auxiliary {
 
 impl Frame {
     /// An empty frame.
-    pub fn new(width: u32, height: u32, parts: &[&str], replicates: u32, auxiliary: bool) -> Frame {
+    pub fn new(width: u32, height: u32, parts: &[&str], settings: &Settings) -> Frame {
         let pixels = width as usize * height as usize;
         Frame {
             width,
             height,
             parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
-            replicates: vec![vec![0.0; pixels]; replicates as usize],
-            batches: vec![0; replicates as usize],
-            auxiliary: auxiliary.then(|| Auxiliary::new(pixels)),
+            replicates: vec![vec![0.0; pixels]; settings.replicates as usize],
+            batches: vec![0; settings.replicates as usize],
+            shown: settings.filter.then(|| vec![Rgb::BLACK; pixels]),
+            auxiliary: settings.auxiliary.then(|| Auxiliary::new(pixels)),
         }
     }
 
@@ -97,6 +102,12 @@ impl Frame {
             mean.iter_mut().zip(plane).for_each(|(m, s)| *m += *s * scale);
         }
         mean
+    }
+
+    /// The picture to show: the mean of the filtered batches, if they were.
+    pub fn shown(&self) -> Option<Vec<Rgb>> {
+        let scale = 1.0 / self.batches().max(1) as f32;
+        self.shown.as_ref().map(|sum| sum.iter().map(|s| *s * scale).collect())
     }
 
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
@@ -142,6 +153,10 @@ impl Frame {
         self.batches[replicate as usize] += 1;
     }
 
+    pub(crate) fn shown_mut(&mut self) -> Option<&mut Vec<Rgb>> {
+        self.shown.as_mut()
+    }
+
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
         self.auxiliary.as_mut()
     }
@@ -169,7 +184,7 @@ mod tests {
 
     #[test]
     fn the_interval_is_students() {
-        let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+        let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() });
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
             frame.add(k, Rect { x: 0, y: 0, width: 1, height: 1 }, &[vec![Rgb::grey(v)]]);
             frame.count(k);

@@ -215,6 +215,7 @@ pub mod color;
 pub mod cpu;
 pub mod error;
 pub mod eye;
+pub mod filter;
 pub mod frame;
 pub mod geometry;
 pub mod import;

@@ -139,6 +139,11 @@ impl World {
         &self.tracer
     }
 
+    /// Its triangles.
+    pub fn facets(&self) -> &Facets {
+        &self.facets
+    }
+
     /// All emitters, in an order fixed by the scene.
     pub fn emitters(&self) -> &[Emitter] {
         &self.emitters

@@ -7,6 +7,7 @@ mod offset;
 mod packet;
 pub mod ray;
 mod screen;
+mod simd_dispatch;
 mod tracer;
 
 pub use bvh::Kernel;
@@ -17,4 +18,5 @@ pub use packet::{Hits16, LANES};
 pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
+pub use simd_dispatch::Wide;
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};

@@ -21,6 +21,10 @@ impl Integrator for Caustic {
         "L (S|D)* S D S* E, less mirror, and less L_point S+ D S* E"
     }
 
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         if !pass.world.has_sharp_surfaces() {
             return;

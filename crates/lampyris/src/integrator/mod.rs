@@ -11,13 +11,14 @@ mod emission;
 pub mod gather;
 mod mirror;
 mod path;
+mod pick;
 mod short;
 mod vpl;
 
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Sampling, Tile};
-use crate::particle::{Plan, Vpl};
+use crate::particle::{Beacon, Plan, Vpl};
 use crate::settings::{Rays, Settings};
 use crate::world::World;
 
@@ -36,6 +37,8 @@ pub struct Pass<'w> {
     pub lights: &'w [Vpl<'w>],
     /// Virtual point lights of this pass: an unbiased stand-in for all reflected light.
     pub vpls: &'w [Vpl<'w>],
+    /// The same for picking among them.
+    pub beacons: &'w [Beacon],
     /// Which sample of each pixel.
     pub sampling: Sampling,
 }
@@ -46,6 +49,11 @@ pub trait Integrator: Send + Sync {
     fn name(&self) -> &'static str;
     /// The paths it covers, in the notation of docs/light-transport.md.
     fn paths(&self) -> &'static str;
+    /// True if its light varies slowly over a surface, so that what is shown may be averaged between neighbours.
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
     /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` is row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays);
 }

@@ -51,6 +51,11 @@ impl View {
         self.eye
     }
 
+    /// Edge of a pixel at distance 1, in the middle of the picture.
+    pub fn pixel_size(&self) -> f32 {
+        self.right.length()
+    }
+
     /// The ray through picture point (x, y) [pixels from the upper left corner]; unit direction.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         Ray::new(self.eye, (self.corner + self.right * x + self.down * y).normalize())

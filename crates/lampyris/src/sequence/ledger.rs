@@ -13,7 +13,8 @@
 //! | eye path | dimensions | group |
 //! |---|---|---|
 //! | place in the pixel | 0, 1 | 0 |
-//! | (free) | 2, 3 | 0 |
+//! | first of a packet: which virtual lights it picks | 2 | 0 |
+//! | (free) | 3 | 0 |
 //! | vertex k ≥ 0: direction | 8k + 4, 8k + 5 | 2k + 1 |
 //! | vertex k ≥ 0: choice of class | 8k + 6 | 2k + 1 |
 //! | vertex k ≥ 0: choice of lobe in the class | 8k + 7 | 2k + 1 |
@@ -51,6 +52,8 @@ pub mod light {
 pub mod eye {
     /// Place in the pixel, two dimensions.
     pub const PIXEL: u32 = 0;
+    /// Which of many virtual lights the packet picks that the pixel is the first of.
+    pub const PICK: u32 = 2;
 
     /// Direction scattered at vertex k ≥ 0 (0 is the first seen), two dimensions.
     pub const fn direction(k: u32) -> u32 {

@@ -45,6 +45,7 @@ use super::screen::Screen;
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 use triangle::{Crossing, Shear, crossing, pierced};
 
 /// Children of a node and triangles of a block.
@@ -175,8 +176,8 @@ pub(super) enum End {
     Point(Vec3),
 }
 
-/// Which code walks the tree.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Which code walks the tree; each needs what those before it need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kernel {
     /// Plain Rust, the oracle of the others.
     Portable,
@@ -188,32 +189,36 @@ pub enum Kernel {
 
 impl Kernel {
     /// The fastest that this machine has.
+    #[inline]
     pub fn detect() -> Kernel {
-        let known = [Kernel::Avx512, Kernel::Avx2];
-        known.into_iter().find(|k| k.available()).unwrap_or(Kernel::Portable)
+        static FOUND: OnceLock<Kernel> = OnceLock::new();
+        *FOUND.get_or_init(Kernel::look)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    fn look() -> Kernel {
+        let narrow = is_x86_feature_detected!("avx2")
+            && is_x86_feature_detected!("bmi1")
+            && is_x86_feature_detected!("popcnt");
+        let wide = is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512vl")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512bw");
+        match (narrow, wide) {
+            (true, true) => Kernel::Avx512,
+            (true, false) => Kernel::Avx2,
+            _ => Kernel::Portable,
+        }
+    }
+
+    #[cfg(not(target_arch = "x86_64"))]
+    fn look() -> Kernel {
+        Kernel::Portable
     }
 
     /// Does this machine have it?
     pub fn available(self) -> bool {
-        match self {
-            Kernel::Portable => true,
-            #[cfg(target_arch = "x86_64")]
-            Kernel::Avx2 => {
-                is_x86_feature_detected!("avx2")
-                    && is_x86_feature_detected!("bmi1")
-                    && is_x86_feature_detected!("popcnt")
-            }
-            #[cfg(target_arch = "x86_64")]
-            Kernel::Avx512 => {
-                Kernel::Avx2.available()
-                    && is_x86_feature_detected!("avx512f")
-                    && is_x86_feature_detected!("avx512vl")
-                    && is_x86_feature_detected!("avx512dq")
-                    && is_x86_feature_detected!("avx512bw")
-            }
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
-        }
+        self <= Kernel::detect()
     }
 }
 
