@@ -141,7 +141,8 @@ fn glass_is_closed_and_smooth() {
             for triangle in &mesh.triangles {
                 let [a, b, c] = triangle.map(|k| at(k) - origin);
                 let cross = (b - a).cross(c - a) * 0.5;
-                (vector, area, enclosed) = (vector + cross, area + cross.length(), enclosed + a.dot(cross) / 3.0);
+                (vector, area, enclosed) =
+                    (vector + cross, area + cross.length(), enclosed + a.dot(cross) / 3.0);
                 for &k in triangle {
                     let normal = mesh.normals[k as usize];
                     let cos = normal.as_dvec3().dot(cross.normalize());
