@@ -21,6 +21,7 @@ impl Default for Settings {
             interleave: [1, 1],
             light_points: None,
             picks: None,
+            longest: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
             clamp: 1.5,
@@ -33,6 +34,21 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// A batch that is a frame to look at: each pixel gathers from one class of 25, picks what matters to it, and is
+    /// averaged with its neighbours (docs/performance.md says how these numbers were found).
+    pub fn interactive() -> Settings {
+        Settings {
+            paths: 1600,
+            passes: Some(1),
+            interleave: [5, 5],
+            light_points: Some(50),
+            picks: Some(8),
+            clamp: 4.0,
+            filter: true,
+            ..Settings::default()
+        }
+    }
+
     /// Refuses settings that make no sense, with the mend.
     pub fn check(&self) -> Result<()> {
         let bad = |text: &str| Err(Error::BadSetting(text.to_owned()));

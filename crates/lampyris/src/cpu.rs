@@ -11,9 +11,9 @@ use crate::frame::{Auxiliary, Frame};
 use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
-use crate::scene::Scene;
+use crate::scene::{Edit, Scene};
 use crate::sequence::{self, jittered_hammersley};
-use crate::world::World;
+use crate::world::{Changes, World};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -85,9 +85,28 @@ impl Cpu {
         Ok(())
     }
 
+    /// Starts afresh in the world in use.
+    pub fn restart(&mut self, eye: Eye, settings: &Settings) -> Result<()> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
+        let world = self.job.take().ok_or_else(nothing)?.world;
+        self.begin_world(world, eye, settings)
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
+    }
+
+    /// Changes the world in use, on the threads of this back end. What has been summed is of the world before: it is the
+    /// caller's to [`Cpu::restart`].
+    ///
+    /// # Errors
+    /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
+    pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(nothing)?;
+        pool.install(|| job.world.apply(edit))
     }
 
     fn job(&mut self) -> Result<&mut Job> {

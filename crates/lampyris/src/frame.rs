@@ -104,10 +104,41 @@ impl Frame {
         mean
     }
 
-    /// The picture to show: the mean of the filtered batches, if they were.
-    pub fn shown(&self) -> Option<Vec<Rgb>> {
+    /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
+    /// be visible. The one turns into the other by degrees.
+    pub fn shown(&self) -> Vec<Rgb> {
+        let mut mean = self.mean();
+        let Some(filtered) = &self.shown else { return mean };
+        let share = filtered_share(self.visible_error());
         let scale = 1.0 / self.batches().max(1) as f32;
-        self.shown.as_ref().map(|sum| sum.iter().map(|s| *s * scale).collect())
+        let mix = |(m, s): (&mut Rgb, &Rgb)| *m = *m * (1.0 - share) + *s * (share * scale);
+        mean.iter_mut().zip(filtered).for_each(mix);
+        mean
+    }
+
+    /// The mean over all pixels of the squared relative error that the spread of the randomisations promises, dark pixels
+    /// measured against a tenth of the mean; infinite before two of them have a batch.
+    fn visible_error(&self) -> f64 {
+        let used = || (0..self.batches.len()).filter(|k| self.batches[*k] > 0);
+        let count = used().count();
+        if count < 2 {
+            return f64::INFINITY;
+        }
+        let n = self.batches() as f32;
+        let means: Vec<f32> = (0..self.replicates[0].len())
+            .map(|at| used().map(|k| self.replicates[k][at]).sum::<f32>() / n)
+            .collect();
+        let tenth = 0.1 * means.iter().map(|m| f64::from(*m)).sum::<f64>() / means.len().max(1) as f64;
+        let floor = (tenth * tenth) as f32;
+        let error = |(at, mean): (usize, &f32)| {
+            let squares = used().map(|k| {
+                let nk = self.batches[k] as f32;
+                nk * (self.replicates[k][at] / nk - mean).powi(2)
+            });
+            let variance = squares.sum::<f32>() / ((count - 1) as f32 * n);
+            f64::from(variance / (mean * mean + floor).max(f32::MIN_POSITIVE))
+        };
+        means.iter().enumerate().map(error).sum::<f64>() / means.len().max(1) as f64
     }
 
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
@@ -176,6 +207,15 @@ impl Frame {
         });
         (squares.sum::<f64>() / (used.len() - 1) as f64 / n).sqrt()
     }
+}
+
+/// Squared relative errors between which the unfiltered mean takes over: what filtering leaves lies about the smaller.
+const EXCHANGE: [f64; 2] = [5e-5, 2e-4];
+
+/// How much of the filtered picture is shown at an estimated squared relative error of the unfiltered.
+fn filtered_share(error: f64) -> f32 {
+    let [low, high] = EXCHANGE;
+    ((error - low) / (high - low)).clamp(0.0, 1.0) as f32
 }
 
 #[cfg(test)]

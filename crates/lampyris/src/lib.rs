@@ -37,10 +37,10 @@
 //!     }],
 //!     instances: vec![Instance { name: "floor".into(), mesh: 0, transform: Affine3A::IDENTITY }],
 //!     materials: vec![Material::new("grey", Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))))],
-//!     lights: vec![Light {
-//!         name: "lamp".into(),
-//!         kind: LightKind::Point { position: Vec3::new(0.0, 0.0, 2.75), intensity: Rgb::grey(100.0) },
-//!     }],
+//!     lights: vec![Light::new(
+//!         "lamp",
+//!         LightKind::Point { position: Vec3::new(0.0, 0.0, 2.75), intensity: Rgb::grey(100.0) },
+//!     )],
 //!     ..Scene::default()
 //! };
 //! let desk = Meter { position: Vec3::new(0.0, 0.0, 0.75), normal: Vec3::Z };
@@ -228,6 +228,7 @@ pub mod particle;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;
+pub mod session;
 mod settings;
 pub mod testing;
 pub mod texture;

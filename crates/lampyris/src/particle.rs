@@ -52,8 +52,8 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of emitters [m⁻²]: one for all, since each of their N paths carries the same light, whose
-    /// place is known to within the emitters' mean area, Σ p_ℓ A_ℓ.
+    /// b for the points of emitters [m⁻²]: one for all, since each path carries the same light, an N-th of what the
+    /// file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
     pub emitter_bound: f32,
     absorption: Absorption,
     /// x₀ of each emitter: its expected (or floored) number of paths.
@@ -101,9 +101,9 @@ impl Plan {
             if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
         };
         let q = f64::from(survival);
-        let shares = world.shares().iter().copied().map(f64::from);
+        let chances = world.chances().iter().copied().map(f64::from);
         let points = settings.light_points.map_or(n, |l| f64::from(l).min(n));
-        let emitting = world.emitters().iter().zip(shares).map(|(e, p)| p * f64::from(e.area())).sum();
+        let emitting = world.emitters().iter().zip(chances).map(|(e, p)| p * f64::from(e.area())).sum();
         Plan {
             survival,
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
@@ -218,6 +218,10 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
         let x0 = plan.expected(emitter, 0);
+        if world.emitters()[emitter].is_dark() {
+            // Its paths would carry nothing. Those of others are the same with or without them.
+            continue;
+        }
         let seed = sequence::hash(seed, emitter as u32 + 1);
         // Lamps of small shares take turns among the classes.
         let shift = match settings.absorption {
@@ -298,7 +302,9 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut ray = Ray::new(start.origin, start.direction);
     let mut flux = start.flux;
     let mut last: Option<Surface<'w>> = None;
-    for generation in 1.. {
+    // A vertex of generation j is j + 2 segments from the eye at least.
+    let last_generation = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));
+    for generation in 1..=last_generation {
         let expected = plan.expected(path.emitter, generation);
         if path.rank >= expected {
             break;

@@ -21,6 +21,9 @@ pub struct Settings {
     pub light_points: Option<u32>,
     /// Virtual lights that each packet of pixels picks by what they would give it unshadowed; `None` for all.
     pub picks: Option<u32>,
+    /// Segments of the longest paths whose light is counted, from the lamp to the eye; `None` for all of them. A limit is a
+    /// bias: it takes the light of longer paths from `vpl`, and counts for `vpl` alone.
+    pub longest: Option<u32>,
     /// How generations of particles thin out.
     pub absorption: Absorption,
     /// Where the numbers of the walk come from.

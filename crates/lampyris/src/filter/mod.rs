@@ -10,12 +10,14 @@
 
 mod edges;
 mod seen;
+#[cfg(test)]
+mod tests;
 
 pub use seen::{Glimpse, Seen};
 
 use crate::color::Rgb;
 use crate::eye::{Eye, LANES, Sampling};
-use crate::geometry::Wide;
+use crate::geometry::{Kernel, Wide};
 use crate::world::World;
 use rayon::prelude::*;
 use seen::{ALIKE, EMISSION, LIT, NORMAL, POSITION, REST, SLACK, TINT, load};
@@ -32,7 +34,7 @@ pub fn show(
     interleave: [u32; 2],
     shown: &mut [Rgb],
 ) -> u64 {
-    let smooth = Smooth::new(world, seen, interleave);
+    let smooth = Smooth::new(world.tracer().kernel(), seen, interleave);
     let width = seen.width as usize;
     let rows = shown.par_chunks_mut(width).enumerate();
     rows.map(|(y, row)| {
@@ -53,12 +55,11 @@ struct Smooth {
 }
 
 impl Smooth {
-    fn new(world: &World, seen: &Seen, interleave: [u32; 2]) -> Smooth {
+    fn new(kernel: Kernel, seen: &Seen, interleave: [u32; 2]) -> Smooth {
         let mut light = [0, 1, 2].map(|_| vec![0.0; seen.len()]);
         let mut edge = vec![0.0; seen.len()];
         let [red, green, blue] = &mut light;
         let rows = |plane| seen.rows_mut(plane);
-        let kernel = world.tracer().kernel();
         let reach = interleave.map(|n| n as i32 / 2);
         rows(red).zip(rows(green)).zip(rows(blue)).zip(rows(&mut edge)).enumerate().for_each(
             |(y, (((red, green), blue), edge))| {

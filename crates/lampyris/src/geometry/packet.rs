@@ -45,7 +45,7 @@ impl Tracer {
     pub fn closest16(&self, origin: Vec3, directions: &[[f32; LANES]; 3], live: u16) -> Hits16 {
         let live = live & all_sound(origin, directions);
         let mut best = PacketBest::none();
-        self.flat.closest16(self.kernel, origin, directions, live, &mut best);
+        self.flat.tree.closest16(self.kernel, origin, directions, live, &mut best);
         if self.has_placed() {
             for i in lanes(live) {
                 let mut single = best.lane(i);
@@ -70,7 +70,7 @@ impl Tracer {
             }
         }
         let live = live & all_sound(origin, &directions);
-        let mut blocked = self.flat.occluded16(self.kernel, origin, &directions, targets, live);
+        let mut blocked = self.flat.tree.occluded16(self.kernel, origin, &directions, targets, live);
         if self.has_placed() {
             for i in lanes(live & !blocked) {
                 let end = End::Point(lane(targets, i));

@@ -138,7 +138,7 @@ impl Build {
     }
 
     pub fn light(&mut self, kind: LightKind) {
-        self.0.lights.push(Light { name: self.0.lights.len().to_string(), kind });
+        self.0.lights.push(Light::new(self.0.lights.len().to_string(), kind));
     }
 
     /// An isotropic lamp of a luminous flux [lm].

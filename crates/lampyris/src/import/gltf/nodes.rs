@@ -230,7 +230,7 @@ fn lamp(light: &JsonLight, name: String, transform: &DAffine3) -> Option<Light> 
         }
         _ => return None,
     };
-    let light = Light { name, kind };
+    let light = Light::new(name, kind);
     let possible = strength.max_channel() <= BRIGHTEST && [r, g, b, light_strength].iter().all(|v| *v >= 0.0);
     (light.is_sound() && possible).then_some(light)
 }
