@@ -175,20 +175,20 @@ impl Job {
             let further = filter::show(&self.world, &self.eye, &sampling, seen, interleave, shown);
             self.statistics.rays.eye += further;
         }
-        // A batch is summed by itself before it is added: others may then merge it to the same bits.
-        let scale = 1.0 / passes as f32;
         let replicate = batch.index % self.settings.replicates;
-        let mut done = done.into_iter().peekable();
-        while let Some(mut tile) = done.next() {
-            tile.parts.iter_mut().flatten().for_each(|v| *v *= scale);
-            note(&tile, width, &mut self.statistics, &mut self.frame);
-            while let Some(more) = done.next_if(|more| more.rect == tile.rect) {
-                let pairs = tile.parts.iter_mut().flatten().zip(more.parts.iter().flatten());
-                pairs.for_each(|(sum, v)| *sum += *v * scale);
-                note(&more, width, &mut self.statistics, &mut self.frame);
+        let mut tiles: Vec<(Rect, Vec<Vec<Rgb>>)> = Vec::with_capacity(done.len());
+        for piece in done {
+            note(&piece, width, &mut self.statistics, &mut self.frame);
+            match tiles.last_mut().filter(|(rect, _)| *rect == piece.rect) {
+                Some((_, parts)) => {
+                    let pairs = parts.iter_mut().flatten().zip(piece.parts.iter().flatten());
+                    pairs.for_each(|(sum, v)| *sum += *v);
+                }
+                None => tiles.push((piece.rect, piece.parts)),
             }
-            self.frame.add(replicate, tile.rect, &tile.parts);
         }
+        // A batch is summed by itself before it is added: others may then merge it to the same bits.
+        self.frame.add(replicate, &tiles);
         self.frame.count(replicate);
         if let Some(sums) = self.frame.auxiliary_mut() {
             sums.samples += passes;
@@ -251,6 +251,8 @@ impl Job {
                 tiles.iter().for_each(|tile| note_first(tile, sums));
             }
         }
+        let scale = 1.0 / self.settings.eye_passes() as f32;
+        parts.iter_mut().flatten().for_each(|v| *v *= scale);
         let glimpse = self.seen.is_some().then(|| self.glimpse(rect, &tiles, &parts));
         Summed { rect, parts, auxiliary, glimpse, rays, non_finite }
     }

@@ -6,6 +6,7 @@ use crate::color::Rgb;
 use crate::eye::Rect;
 use crate::settings::Settings;
 use crate::testing::student_quantile;
+use rayon::prelude::*;
 
 /// The sums of a picture, or of a list of meters (then one row).
 #[derive(Clone, Debug, Default)]
@@ -165,18 +166,36 @@ impl Frame {
         self.auxiliary.as_ref()
     }
 
-    /// Adds a rectangle of a batch of randomisation `replicate`: the values of the parts, in the order of `part_names`,
-    /// each row by row.
-    pub fn add(&mut self, replicate: u32, rect: Rect, parts: &[Vec<Rgb>]) {
-        let luminance = &mut self.replicates[replicate as usize];
-        let width = rect.width as usize;
-        for ((_, sum), values) in self.parts.iter_mut().zip(parts) {
-            for (row, values) in values.chunks(width).enumerate() {
-                let at = (rect.y as usize + row) * self.width as usize + rect.x as usize;
-                sum[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
-                luminance[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += v.luminance());
+    /// Adds a batch of randomisation `replicate`: rectangles of the picture, each with the values of the parts in the order
+    /// of `part_names`, row by row.
+    pub fn add(&mut self, replicate: u32, tiles: &[(Rect, Vec<Vec<Rgb>>)]) {
+        let Frame { width, parts, replicates, .. } = self;
+        let luminance = &mut replicates[replicate as usize];
+        let places = |rect: &Rect| {
+            let (left, width) = (rect.x as usize, *width as usize);
+            (rect.y as usize..(rect.y + rect.height) as usize).map(move |row| row * width + left)
+        };
+        let add_parts = || {
+            parts.par_iter_mut().enumerate().for_each(|(number, (_, sum))| {
+                for (rect, values) in tiles {
+                    let rows = values[number].chunks(rect.width as usize);
+                    for (at, values) in places(rect).zip(rows) {
+                        sum[at..at + values.len()].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
+                    }
+                }
+            });
+        };
+        let add_luminance = || {
+            for (rect, values) in tiles {
+                for values in values {
+                    for (at, values) in places(rect).zip(values.chunks(rect.width as usize)) {
+                        let pairs = luminance[at..at + values.len()].iter_mut().zip(values);
+                        pairs.for_each(|(s, v)| *s += v.luminance());
+                    }
+                }
             }
-        }
+        };
+        rayon::join(add_parts, add_luminance);
     }
 
     /// A batch of randomisation `replicate` is complete: every pixel of it was added once.
@@ -226,7 +245,7 @@ mod tests {
     fn the_interval_is_students() {
         let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() });
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
-            frame.add(k, Rect { x: 0, y: 0, width: 1, height: 1 }, &[vec![Rgb::grey(v)]]);
+            frame.add(k, &[(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])]);
             frame.count(k);
         }
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.

@@ -43,34 +43,42 @@ pub struct Seen {
 #[derive(Clone, Debug)]
 pub struct Glimpse {
     rect: Rect,
-    /// By pixel, row by row.
-    values: Vec<[f32; COUNT]>,
+    /// The planes of the rectangle one after another, each row by row.
+    values: Vec<f32>,
 }
 
 impl Glimpse {
     /// Nothing, in a rectangle.
     pub fn new(rect: Rect) -> Glimpse {
-        Glimpse { rect, values: vec![[0.0; COUNT]; (rect.width * rect.height) as usize] }
+        Glimpse { rect, values: vec![0.0; COUNT * (rect.width * rect.height) as usize] }
     }
 
-    /// Notes the vertex of pixel `k`: where it is, its normal, what tells it from other surfaces, and what it multiplies
-    /// light by.
+    /// Notes the vertex of pixel `k`: where it is, its normal, what tells it from other surfaces, what it multiplies light
+    /// by, and how far from its tangent plane a vertex of the next pixel may lie [m].
     pub fn place(&mut self, k: usize, position: Vec3, normal: Vec3, alike: u32, tint: Rgb, slack: f32) {
-        let v = &mut self.values[k];
-        v[POSITION..POSITION + 3].copy_from_slice(&position.to_array());
-        v[NORMAL..NORMAL + 3].copy_from_slice(&normal.to_array());
-        v[TINT..TINT + 3].copy_from_slice(&tint.to_array());
-        v[SLACK] = slack;
+        self.set(POSITION, k, position.to_array());
+        self.set(NORMAL, k, normal.to_array());
+        self.set(TINT, k, tint.to_array());
         // Numbers below 2²⁴ are exact.
-        v[ALIKE] = (alike >> 8) as f32;
+        self.set(SLACK, k, [slack, (alike >> 8) as f32]);
     }
 
     /// Notes the light of pixel `k`: what neighbours may share, what they may not, and what glowed on the way.
     pub fn light(&mut self, k: usize, lit: Rgb, rest: Rgb, emission: Rgb) {
-        let v = &mut self.values[k];
-        v[LIT..LIT + 3].copy_from_slice(&lit.to_array());
-        v[REST..REST + 3].copy_from_slice(&rest.to_array());
-        v[EMISSION..EMISSION + 3].copy_from_slice(&emission.to_array());
+        self.set(LIT, k, lit.to_array());
+        self.set(REST, k, rest.to_array());
+        self.set(EMISSION, k, emission.to_array());
+    }
+
+    /// Consecutive planes at a pixel.
+    fn set<const N: usize>(&mut self, first: usize, k: usize, values: [f32; N]) {
+        let pixels = (self.rect.width * self.rect.height) as usize;
+        (first..).zip(values).for_each(|(plane, v)| self.values[plane * pixels + k] = v);
+    }
+
+    fn plane(&self, number: usize) -> &[f32] {
+        let pixels = (self.rect.width * self.rect.height) as usize;
+        &self.values[number * pixels..(number + 1) * pixels]
     }
 }
 
@@ -84,14 +92,14 @@ impl Seen {
     }
 
     /// Puts pieces of the picture together.
-    pub fn assemble<'g>(&mut self, pieces: &[&'g Glimpse]) {
+    pub fn assemble(&mut self, pieces: &[&Glimpse]) {
         let (stride, first) = (self.stride(), self.index(0, 0));
         self.planes.par_iter_mut().enumerate().for_each(|(number, plane)| {
             for piece in pieces {
                 let rect = piece.rect;
-                for (row, values) in piece.values.chunks(rect.width as usize).enumerate() {
+                for (row, values) in piece.plane(number).chunks(rect.width as usize).enumerate() {
                     let at = first + (rect.y as usize + row) * stride + rect.x as usize;
-                    plane[at..at + values.len()].iter_mut().zip(values).for_each(|(p, v)| *p = v[number]);
+                    plane[at..at + values.len()].copy_from_slice(values);
                 }
             }
         });

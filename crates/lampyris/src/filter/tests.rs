@@ -85,7 +85,7 @@ fn even_light_is_found_under_any_texture() {
 /// Also in a colour that some pixels do not reflect: of these nothing can be learned, and they do not darken others.
 #[test]
 fn pixels_that_reflect_nothing_say_nothing() {
-    let striped = |x: u32| if x % 3 == 0 { Rgb::new(0.5, 0.0, 0.0) } else { Rgb::grey(0.7) };
+    let striped = |x: u32| if x.is_multiple_of(3) { Rgb::new(0.5, 0.0, 0.0) } else { Rgb::grey(0.7) };
     let seen = seen(|x, y| Some((floor(x, y), Vec3::Y, 1, striped(x), Rgb::WHITE)));
     assert_smooth(&seen, [3, 3], |_, _| Rgb::WHITE, border);
 }
