@@ -71,6 +71,7 @@ fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
         parts,
         paths,
         passes: Some(args.spp.unwrap_or(shared)),
+        photons: args.photons.unwrap_or(defaults.photons),
         clamp: args.clamp.unwrap_or(defaults.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(defaults.absorption), absorption)?,
         sequence: args.sequence.as_deref().map_or(Ok(defaults.sequence), sequence)?,

@@ -214,6 +214,7 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
         ("view", viewing::arguments(camera)),
         ("parts", settings.parts.join(",")),
         ("paths", settings.paths.to_string()),
+        ("photons", settings.photons.to_string()),
         ("spp", settings.eye_passes().to_string()),
         ("batches", batches.to_string()),
         ("seed", settings.seed.to_string()),

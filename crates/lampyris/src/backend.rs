@@ -22,6 +22,7 @@ impl Default for Settings {
             sequence: Sequence::default(),
             clamp: 1.5,
             replicates: 4,
+            photons: 1 << 13,
             seed: 0,
             auxiliary: false,
         }
@@ -37,6 +38,9 @@ impl Settings {
         }
         if self.passes.is_some_and(|p| p == 0 || p > 1 << 22) {
             return bad("the number of eye passes must be 1 to 4194304");
+        }
+        if self.photons == 0 || self.photons > 1 << 24 {
+            return bad("the number of photons must be 1 to 16777216");
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

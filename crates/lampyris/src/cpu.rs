@@ -9,6 +9,7 @@ use crate::eye::{Eye, Rect, Sampling, Tile};
 use crate::frame::{Auxiliary, Frame};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
+use crate::photon::Photons;
 use crate::scene::Scene;
 use crate::sequence::{self, jittered_hammersley};
 use crate::world::World;
@@ -121,6 +122,8 @@ struct Summed {
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
+        let photons = (self.world.has_sharp_surfaces() && integrator::gather_photons(&self.integrators))
+            .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
         let (width, height) = self.eye.size();
         let passes = self.settings.eye_passes();
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
@@ -133,7 +136,7 @@ impl Job {
             .collect();
         let done: Vec<Summed> = pieces
             .par_iter()
-            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
+            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk, photons.as_ref()))
             .collect();
 
         // A batch is summed by itself before it is added: others may then merge it to the same bits.
@@ -154,12 +157,19 @@ impl Job {
         if let Some(sums) = self.frame.auxiliary_mut() {
             sums.samples += passes;
         }
-        self.statistics.rays.particle += walk.rays;
+        self.statistics.rays.particle += walk.rays + photons.as_ref().map_or(0, |p| p.rays);
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
     /// Some eye passes of a batch in one tile.
-    fn render(&self, rect: Rect, numbers: Range<u32>, batch: Batch, walk: &Walk<'_>) -> Summed {
+    fn render(
+        &self,
+        rect: Rect,
+        numbers: Range<u32>,
+        batch: Batch,
+        walk: &Walk<'_>,
+        photons: Option<&Photons>,
+    ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
         let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
         let mut once = vec![Rgb::BLACK; pixels];
@@ -178,6 +188,7 @@ impl Job {
                 eye: &self.eye,
                 lights: walk.lights_of(number),
                 vpls: walk.vpls_of(number),
+                photons,
                 sampling,
             };
             for (integrator, sum) in self.integrators.iter().zip(&mut parts) {

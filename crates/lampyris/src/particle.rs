@@ -53,6 +53,8 @@ pub struct Walk<'w> {
     pub lights: Vec<Vpl<'w>>,
     /// Vertices: generations 1 and up.
     pub vpls: Vec<Vpl<'w>>,
+    /// The emitter that each vertex has its light from.
+    pub sources: Vec<u32>,
     light_starts: Vec<usize>,
     vpl_starts: Vec<usize>,
     /// Rays that the particles took.
@@ -133,6 +135,7 @@ impl<'w> Walk<'w> {
             for k in members {
                 walk.lights.push(traced[k].light);
                 walk.vpls.extend_from_slice(&traced[k].vertices);
+                walk.sources.resize(walk.vpls.len(), paths[k].emitter as u32);
                 walk.rays += traced[k].rays;
             }
         }

@@ -1,6 +1,7 @@
 //! The scene made traceable: hierarchy, emitters with their fixed shares, and the few figures that settings need.
 //! It changes only between frames and is shared, read-only, by everything that shades.
 
+mod bodies;
 mod facet;
 mod finish;
 mod mirrors;
@@ -8,6 +9,7 @@ mod points;
 mod relief;
 mod surface;
 
+pub use bodies::{Bodies, Body, MOST_BODIES};
 pub use facet::{Facet, Facets};
 pub use finish::{Coat, Finish};
 pub use mirrors::{Mirror, Mirrors};
@@ -37,8 +39,8 @@ pub struct World {
     facets: Facets,
     mirrors: Mirrors,
     finishes: Vec<Finish>,
-    /// Any of the finishes has sharp lobes.
-    sharp: bool,
+    /// What has sharp lobes.
+    bodies: Bodies,
     emitters: Vec<Emitter>,
     /// p_ℓ: the share of the light paths that starts at each emitter; sums to 1.
     shares: Vec<f32>,
@@ -98,11 +100,14 @@ impl World {
             mesh.materials.iter().for_each(|k| finishes[*k as usize].painted = true);
         }
         let facets = Facets::new(&scene);
+        let mirrors = Mirrors::find(&facets, &scene.materials);
+        let sharp: Vec<bool> =
+            finishes.iter().zip(&scene.materials).map(|(f, m)| f.may_be_sharp(m, &mut least)).collect();
         let mut world = World {
             tracer,
-            mirrors: Mirrors::find(&facets, &scene.materials),
+            bodies: Bodies::find(&facets, &finishes, &sharp, &mirrors),
+            mirrors,
             facets,
-            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &mut least)),
             finishes,
             emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
             shares: Vec::new(),
@@ -187,7 +192,12 @@ impl World {
 
     /// True if any surface has sharp lobes: without them there are no caustics and no mirrors.
     pub fn has_sharp_surfaces(&self) -> bool {
-        self.sharp
+        !self.bodies.all().is_empty()
+    }
+
+    /// What has sharp lobes, instance by instance.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
     }
 
     /// Its planar mirrors.
