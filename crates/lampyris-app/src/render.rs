@@ -215,6 +215,7 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
         ("view", viewing::arguments(camera)),
         ("parts", settings.parts.join(",")),
         ("paths", settings.paths.to_string()),
+        ("photons", settings.photons.to_string()),
         ("spp", settings.eye_passes().to_string()),
         ("interleave", format!("{}x{}", settings.interleave[0], settings.interleave[1])),
         ("light points", or_all(settings.light_points)),

@@ -26,6 +26,7 @@ impl Default for Settings {
             sequence: Sequence::default(),
             clamp: 1.5,
             replicates: 4,
+            photons: 1 << 13,
             seed: 0,
             filter: false,
             auxiliary: false,
@@ -66,6 +67,9 @@ impl Settings {
         }
         if self.light_points == Some(0) || self.picks == Some(0) {
             return bad("light points and picked virtual lights must be at least 1");
+        }
+        if self.photons == 0 || self.photons > 1 << 24 {
+            return bad("the number of photons must be 1 to 16777216");
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

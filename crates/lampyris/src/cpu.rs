@@ -11,6 +11,7 @@ use crate::frame::{Auxiliary, Frame};
 use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
+use crate::photon::Photons;
 use crate::scene::{Edit, Scene};
 use crate::sequence::{self, jittered_hammersley};
 use crate::world::{Changes, World};
@@ -155,6 +156,8 @@ struct Summed {
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
+        let photons = (self.world.has_sharp_surfaces() && integrator::gather_photons(&self.integrators))
+            .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
         let width = self.eye.size().0;
         let passes = self.settings.eye_passes();
         let rects = self.rects();
@@ -166,7 +169,7 @@ impl Job {
         let sampling = self.sampling(batch, 0);
         let done: Vec<Summed> = pieces
             .par_iter()
-            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
+            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk, photons.as_ref()))
             .collect();
 
         if let (Some(seen), Some(shown)) = (&mut self.seen, self.frame.shown_mut()) {
@@ -193,7 +196,7 @@ impl Job {
         if let Some(sums) = self.frame.auxiliary_mut() {
             sums.samples += passes;
         }
-        self.statistics.rays.particle += walk.rays;
+        self.statistics.rays.particle += walk.rays + photons.as_ref().map_or(0, |p| p.rays);
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
@@ -207,7 +210,14 @@ impl Job {
     }
 
     /// Some eye passes of a batch in one tile.
-    fn render(&self, rect: Rect, numbers: Range<u32>, batch: Batch, walk: &Walk<'_>) -> Summed {
+    fn render(
+        &self,
+        rect: Rect,
+        numbers: Range<u32>,
+        batch: Batch,
+        walk: &Walk<'_>,
+        photons: Option<&Photons>,
+    ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
         let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
         let mut once = vec![Rgb::BLACK; pixels];
@@ -230,6 +240,7 @@ impl Job {
                     eye: &self.eye,
                     lights: walk.lights_of(class),
                     vpls: walk.vpls_of(class),
+                    photons,
                     beacons: walk.beacons_of(class),
                     sampling,
                 })

@@ -259,6 +259,7 @@ pub mod material;
 #[cfg(feature = "pictures")]
 pub mod output;
 pub mod particle;
+pub mod photon;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;

@@ -69,6 +69,8 @@ pub struct Walk<'w> {
     pub lights: Vec<Vpl<'w>>,
     /// Vertices: generations 1 and up.
     pub vpls: Vec<Vpl<'w>>,
+    /// The emitter that each vertex has its light from.
+    pub sources: Vec<u32>,
     /// Of each vertex, in their order.
     beacons: Vec<Beacon>,
     /// Where the lights of each class begin, and at last where they end.
@@ -153,6 +155,7 @@ impl<'w> Walk<'w> {
             for k in members {
                 walk.lights.extend(traced[k].light);
                 walk.vpls.extend_from_slice(&traced[k].vertices);
+                walk.sources.resize(walk.vpls.len(), paths[k].emitter as u32);
                 walk.beacons.extend(traced[k].vertices.iter().map(Beacon::from));
                 walk.rays += traced[k].rays;
             }

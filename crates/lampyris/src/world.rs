@@ -1,6 +1,7 @@
 //! The scene made traceable: hierarchy, emitters with their fixed shares, and the few figures that settings need.
 //! It changes only between frames, by edits, and is shared, read-only, by everything that shades.
 
+mod bodies;
 mod edit;
 mod emitters;
 mod facet;
@@ -12,6 +13,7 @@ mod points;
 mod relief;
 mod surface;
 
+pub use bodies::{Bodies, Body, MOST_BODIES};
 pub use edit::Changes;
 pub use facet::{Facet, Facets};
 pub use finish::{Coat, Finish};
@@ -36,6 +38,8 @@ pub struct World {
     facets: Facets,
     mirrors: Mirrors,
     finishes: Vec<Finish>,
+    /// What has sharp lobes.
+    bodies: Bodies,
     /// Of each material whether it may have sharp lobes.
     sharp: Vec<bool>,
     /// Of each material its mean albedo.
@@ -71,6 +75,7 @@ impl World {
         let mut world = World {
             tracer,
             mirrors: Mirrors::find(&facets, &scene.materials),
+            bodies: Bodies::default(),
             facets,
             finishes: scene.materials.iter().map(Finish::from).collect(),
             sharp: vec![false; count],
@@ -85,6 +90,7 @@ impl World {
             mesh.materials.iter().for_each(|k| world.finishes[*k as usize].painted = true);
         }
         (0..count as u32).for_each(|k| world.weigh(k));
+        world.find_bodies();
         world.measure_all();
         let World { scene, facets, finishes, emitters, .. } = &mut world;
         (0..).zip(&scene.lights).for_each(|(number, light)| emitters.set_light(number, light));
@@ -167,7 +173,12 @@ impl World {
 
     /// True if any surface has sharp lobes: without them there are no caustics and no mirrors.
     pub fn has_sharp_surfaces(&self) -> bool {
-        self.sharp.contains(&true)
+        !self.bodies.all().is_empty()
+    }
+
+    /// What has sharp lobes, instance by instance.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
     }
 
     /// Its planar mirrors.
@@ -301,6 +312,10 @@ impl World {
     fn measure_all(&mut self) {
         let instances = 0..self.scene.instances.len() as u32;
         self.extents = instances.map(|i| Extent::new(&self.facets, &self.albedos, i)).collect();
+    }
+
+    fn find_bodies(&mut self) {
+        self.bodies = Bodies::find(&self.facets, &self.finishes, &self.sharp, &self.mirrors);
     }
 
     /// Works out what is a sum over the whole scene, and the shares of who shines for the first time.

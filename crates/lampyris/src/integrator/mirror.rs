@@ -34,6 +34,10 @@ impl Integrator for Mirror {
         "L ((S|D)* D)? M D S* E"
     }
 
+    fn gathers_photons(&self) -> bool {
+        true
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         let world = pass.world;
         if world.mirrors().is_empty() {

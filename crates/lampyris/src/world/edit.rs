@@ -121,6 +121,11 @@ impl World {
         if meshes.iter().any(mirrors) {
             self.mirrors = Mirrors::find(facets, &scene.materials);
         }
+        let sharp =
+            |mesh: &u32| scene.meshes[*mesh as usize].materials.iter().any(|k| self.sharp[*k as usize]);
+        if meshes.iter().any(sharp) {
+            self.find_bodies();
+        }
         !meshes.is_empty()
     }
 
@@ -147,12 +152,16 @@ impl World {
             self.tracer = geometry::tracer(&scene, &mut self.least);
         }
         if scatters {
+            let was_sharp = self.sharp[k];
             self.weigh(material);
             for user in &users {
                 self.extents[*user as usize] = Extent::new(&self.facets, &self.albedos, *user);
             }
             if seen && reflectance(old) != reflectance(new) {
                 self.mirrors = Mirrors::find(&self.facets, &scene.materials);
+            }
+            if seen && (was_sharp || self.sharp[k]) {
+                self.find_bodies();
             }
         }
         let glow = |m: &Material| (m.emission, m.sides, m.coverage, m.maps.clone());
