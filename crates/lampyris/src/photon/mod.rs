@@ -73,8 +73,8 @@ pub struct Photons {
 /// The points that shine for one emitter: itself, or vertices of the walk.
 enum Origin<'a, 'w> {
     Light(&'a Emitter),
-    /// Vertices with the running sum of the flux that they send toward sharp bodies, each of the light that a single eye
-    /// pass would see: so many times too bright.
+    /// Vertices with the running sum of the flux that they send toward sharp bodies, each of the light that a single
+    /// class would see: so many times too bright.
     Vertices(Vec<(f64, &'a Vpl<'w>)>, f64),
 }
 
@@ -96,13 +96,15 @@ impl Photons {
         let paths = settings.photons.div_ceil(PER_PATH);
         let own = (settings.paths < paths).then(|| {
             let seed = sequence::hash(settings.seed, u32::from(b'v'));
-            let settings = Settings { paths, passes: Some(1), seed, ..settings.clone() };
+            let alone =
+                Settings { passes: Some(1), interleave: [1, 1], light_points: None, ..settings.clone() };
+            let settings = Settings { paths, seed, ..alone };
             Walk::new(world, &settings, &Plan::new(world, &settings), batch)
         });
-        let (walk, passes) = own.as_ref().map_or((walk, settings.eye_passes()), |own| (own, 1));
+        let (walk, classes) = own.as_ref().map_or((walk, settings.classes()), |own| (own, 1));
         let lights = lights(world, settings, block, sequence::hash(seed, u32::from(b'k')));
         let vertices =
-            vertices(world, settings, (walk, passes), block, sequence::hash(seed, u32::from(b'w')));
+            vertices(world, settings, (walk, classes), block, sequence::hash(seed, u32::from(b'w')));
         let kinds = [(lights, RADIUS[0]), (vertices, RADIUS[1])];
         let shrunk = shrunk(block).sqrt() as f32;
         let mut rays = own.as_ref().map_or(0, |own| own.rays);
@@ -145,7 +147,7 @@ fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) 
 fn vertices<'a, 'w>(
     world: &World,
     settings: &Settings,
-    (walk, passes): (&'a Walk<'w>, u32),
+    (walk, classes): (&'a Walk<'w>, u32),
     block: u32,
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
@@ -163,7 +165,7 @@ fn vertices<'a, 'w>(
         let count = (FROM_VERTICES * f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
-            origin: Origin::Vertices(running, f64::from(passes)),
+            origin: Origin::Vertices(running, f64::from(classes)),
             count,
             first: block.wrapping_mul(count),
             seed: sequence::hash(seed, emitter),
@@ -205,12 +207,12 @@ impl Source<'_, '_> {
                 point = Vpl { position, shine, intensity, bound: f32::INFINITY, gloss: None };
                 (&point, 1.0)
             }
-            Origin::Vertices(running, passes) => {
+            Origin::Vertices(running, classes) => {
                 let total = running.last().map_or(0.0, |(sum, _)| *sum);
                 let k = running.partition_point(|(sum, _)| *sum <= f64::from(u) * total);
                 let Some((sum, vertex)) = running.get(k) else { return 0 };
                 let own = sum - if k == 0 { 0.0 } else { running[k - 1].0 };
-                (*vertex, (total / (own * passes)) as f32)
+                (*vertex, (total / (own * classes)) as f32)
             }
         };
         let aim = Aim::new(world, source);
