@@ -25,6 +25,9 @@ const SURE: f32 = 0.25;
 /// the end of a short ray matters little.
 const SOURCES: usize = 1;
 
+/// Images picked in a perfect mirror for each virtual light picked: one costs three times as much, and gives less.
+const MIRRORED: f32 = 0.25;
+
 /// Paths L (S|D)* D M D S* E and L M D S* E.
 pub(super) struct Mirror;
 
@@ -118,14 +121,14 @@ fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
     beacons.iter().map(image).collect()
 }
 
-/// The images of virtual lights that a packet traces: in each mirror as many as it is strong, one at least.
+/// The images of virtual lights that a packet traces: the stronger a mirror the more, one at least.
 fn picked<'w>(pass: &Pass<'w>, p: &Packet<'_>, many: &[(u8, Vec<Beacon>)], most: u32) -> Vec<Image<'w>> {
     let world = pass.world;
     let first = p.numbers[p.live.trailing_zeros() as usize].branch(b'm'.into());
     let mut images = Vec::new();
     for (number, beacons) in many {
         let plane = &world.mirrors()[*number as usize];
-        let share = (most as f32 * plane.strength()).ceil().clamp(1.0, most as f32) as u32;
+        let share = (MIRRORED * most as f32 * plane.strength()).ceil().max(1.0) as u32;
         let u = first.branch(u32::from(*number)).one(ledger::PICK);
         pick(world.tracer().kernel(), p, (beacons, plane), share, u, |k, factor| {
             let image = Image::new(plane, *number, &pass.vpls[k]);
