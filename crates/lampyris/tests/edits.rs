@@ -26,6 +26,7 @@ fn same_figures(edited: &World, fresh: &World, when: &str) {
     assert_eq!(edited.shares(), fresh.shares(), "{when}");
     assert_eq!(edited.chances(), fresh.chances(), "{when}");
     assert_eq!(edited.mirrors(), fresh.mirrors(), "{when}");
+    assert_eq!(edited.bodies().all(), fresh.bodies().all(), "{when}");
     let told = |w: &World| (w.has_lamps(), w.has_environment(), w.has_sharp_surfaces());
     assert_eq!(told(edited), told(fresh), "{when}");
     for (k, (a, b)) in edited.emitters().iter().zip(fresh.emitters()).enumerate() {
@@ -48,7 +49,8 @@ fn same_rays(edited: &World, fresh: &World, rays: usize, c: &mut Chance, when: &
         let seen = |w: &World| {
             let s = w.surface(direction, &hit);
             let side = w.emitter_of(&s);
-            format!("{s:?} {side:?} {} {:?}", w.pdf_toward(&s, origin), w.all_flat(hit.instance))
+            let body = w.bodies().of(&s);
+            format!("{s:?} {side:?} {body:?} {} {:?}", w.pdf_toward(&s, origin), w.all_flat(hit.instance))
         };
         assert_eq!(seen(edited), seen(fresh), "{when}");
         let glows = |w: &World| {
