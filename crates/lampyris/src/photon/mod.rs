@@ -128,10 +128,11 @@ impl Photons {
     }
 }
 
-/// Photons that start on the emitters: each its share of them, at least one where it has any.
+/// Photons that start on the emitters: each its share of them, at least one where it has any; none where it is dark.
 fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
-        let count = (f64::from(settings.photons) * f64::from(*share)).ceil() as u32;
+        let share = if light.is_dark() { 0.0 } else { f64::from(*share) };
+        let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
             origin: Origin::Light(light),
