@@ -18,5 +18,5 @@ pub use packet::{Hits16, LANES};
 pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
-pub use simd_dispatch::Wide;
+pub use simd_dispatch::{Wide, positive};
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};
