@@ -14,7 +14,7 @@ pub use bvh::Kernel;
 pub use frame::Frame;
 pub use offset::SurfacePoint;
 pub(crate) use offset::{ERROR, away};
-pub use packet::{Hits16, LANES};
+pub use packet::{Hits16, LANES, Occluder};
 pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
