@@ -5,7 +5,7 @@
 //! kernel below the best.
 
 use glam::{Affine3A, Vec3};
-use lampyris::geometry::{Kernel, LANES, MeshGeometry, Placement, Ray, Tracer};
+use lampyris::geometry::{Kernel, LANES, MeshGeometry, Occluder, Placement, Ray, Tracer};
 use std::time::Instant;
 
 const REPETITIONS: usize = 7;
@@ -77,8 +77,17 @@ fn gather(segments: &[[Vec3; 2]]) -> Vec<Shadows> {
 }
 
 fn shadows(tracer: &Tracer, shadows: &[Shadows]) -> (u64, f64) {
-    let blocked = shadows.iter().map(|s| tracer.occluded16(s.shared, &s.others, s.live).count_ones());
-    (blocked.map(u64::from).sum(), 0.0)
+    let mut occluder = Occluder::default();
+    let mut last = Vec3::NAN;
+    let mut hits = 0;
+    for s in shadows {
+        // What blocked the rays of one point tells nothing of another's.
+        if s.shared != last {
+            (occluder, last) = (Occluder::default(), s.shared);
+        }
+        hits += u64::from(tracer.occluded16_cached(s.shared, &s.others, s.live, &mut occluder).count_ones());
+    }
+    (hits, 0.0)
 }
 
 #[expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that reports to the terminal")]

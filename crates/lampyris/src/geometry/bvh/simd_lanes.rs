@@ -311,6 +311,13 @@ impl Machine for Avx2 {
 
 /// Eight lanes.
 impl Avx2 {
+    /// Brings the cache lines of a value near, if there is one: the pointer may be any.
+    #[inline(always)]
+    pub(super) fn prefetch<T>(self, at: *const T) {
+        for line in 0..size_of::<T>().div_ceil(64) {
+            known!(_mm_prefetch::<_MM_HINT_T0>(at.cast::<i8>().wrapping_add(64 * line)));
+        }
+    }
     /// All bits of the lanes set in the lower half of a mask.
     #[inline(always)]
     fn chosen8(self, mask: u16) -> F8 {

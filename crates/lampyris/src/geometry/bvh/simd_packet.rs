@@ -6,7 +6,7 @@
 use super::packet::PacketBest;
 use super::simd_block::{Beam, Ends, blocked, offer};
 use super::simd_lanes::{Avx2, Avx512, Machine};
-use super::{Hierarchy, Kernel, LEAF, Line, NONE, STACK, Slab, Tree, WIDTH};
+use super::{Kernel, LEAF, Line, NONE, STACK, Slab, Tree, WIDTH};
 use crate::geometry::Ray;
 use crate::geometry::packet::{LANES, lane, lanes};
 use glam::Vec3;
@@ -146,7 +146,7 @@ fn occluded_packet<M: Machine>(
     }
     let mut stack = Stack::new();
     let mut walk = Walk::new(m, &mut stack, limit, alive);
-    while let Some((leaf, mask)) = walk.next(m, &tree.hierarchy, packet) {
+    while let Some((leaf, mask)) = walk.next(m, tree, packet) {
         let block = &tree.blocks[leaf as usize];
         let hit = blocked(m, block, &beam, packet, &ends, mask, &tree.screen);
         if hit != 0 {
@@ -164,7 +164,7 @@ fn closest_packet<M: Machine>(m: M, tree: &Tree, packet: &Packet<'_, M>, best: &
     let limit = m.add(m.load(&best.t), packet.slack);
     let mut stack = Stack::new();
     let mut walk = Walk::new(m, &mut stack, limit, packet.live);
-    while let Some((leaf, mask)) = walk.next(m, &tree.hierarchy, packet) {
+    while let Some((leaf, mask)) = walk.next(m, tree, packet) {
         let block = &tree.blocks[leaf as usize];
         if offer(m, block, &beam, packet, mask, &tree.screen, best) {
             walk.limit(m, m.add(m.load(&best.t), packet.slack));
@@ -283,6 +283,19 @@ impl<'a, M: Machine> Packet<'a, M> {
     }
 }
 
+impl Tree {
+    /// Tells the machine that a child will be needed soon.
+    #[inline(always)]
+    fn fetch(&self, eight: Avx2, child: u32) {
+        let at = (child & !LEAF) as usize;
+        if child & LEAF == 0 {
+            eight.prefetch(self.hierarchy.nodes.as_ptr().wrapping_add(at));
+        } else {
+            eight.prefetch(self.blocks.as_ptr().wrapping_add(at));
+        }
+    }
+}
+
 /// Children put off: the lanes that meet them, and the distance.
 struct Stack([MaybeUninit<(u32, u16, f32)>; STACK]);
 
@@ -321,7 +334,7 @@ impl<'s, M: Machine> Walk<'s, M> {
 
     /// The next leaf, and the lanes that meet its box.
     #[inline(always)]
-    fn next(&mut self, m: M, hierarchy: &Hierarchy, packet: &Packet<'_, M>) -> Option<(u32, u16)> {
+    fn next(&mut self, m: M, tree: &Tree, packet: &Packet<'_, M>) -> Option<(u32, u16)> {
         while self.depth > 0 {
             self.depth -= 1;
             // SAFETY: entries below the old `depth` were written.
@@ -333,15 +346,15 @@ impl<'s, M: Machine> Walk<'s, M> {
             if child & LEAF != 0 {
                 return Some((child & !LEAF, mask));
             }
-            self.open(m, hierarchy, packet, child, mask);
+            self.open(m, tree, packet, child, mask);
         }
         None
     }
 
     /// Puts the children of a node on the stack that lanes of `mask` meet.
     #[inline(always)]
-    fn open(&mut self, m: M, hierarchy: &Hierarchy, packet: &Packet<'_, M>, node: u32, mask: u16) {
-        let Some(node) = hierarchy.nodes.get(node as usize) else { return };
+    fn open(&mut self, m: M, tree: &Tree, packet: &Packet<'_, M>, node: u32, mask: u16) {
+        let Some(node) = tree.hierarchy.nodes.get(node as usize) else { return };
         let eight = m.eight();
         let mut enter = eight.splat8(0.0);
         let mut leave = eight.splat8(f32::INFINITY);
@@ -377,6 +390,7 @@ impl<'s, M: Machine> Walk<'s, M> {
             }
             self.stack[at].write((node.child[i], met, enters[i]));
             self.depth += 1;
+            tree.fetch(eight, node.child[i]);
         }
     }
 
