@@ -83,13 +83,15 @@ fn occluded<M: Machine>(
     }
     let directions = &directions.0;
     let mut families = Families::new(m, directions, live);
+    // Of one origin, whatever the direction.
+    let slab = Slab::new(origin, Vec3::ONE, &tree.hierarchy.bounds, 0.0);
     let mut stopped = 0;
     while let Some((live, kz)) = families.next() {
         if live.count_ones() < FEW {
             stopped |= tree.occluded_one_by_one(Kernel::Avx2, origin, targets, live);
             continue;
         }
-        let packet = Packet::new(m, origin, directions, live, tree, kz);
+        let packet = Packet::new(m, origin, directions, live, &slab, kz);
         stopped |= occluded_packet(m, tree, &packet, targets, first);
     }
     stopped
@@ -105,12 +107,14 @@ fn closest<M: Machine>(
     best: &mut PacketBest,
 ) {
     let mut families = Families::new(m, directions, live);
+    // Of one origin, whatever the direction.
+    let slab = Slab::new(origin, Vec3::ONE, &tree.hierarchy.bounds, 0.0);
     while let Some((live, kz)) = families.next() {
         if live.count_ones() < FEW {
             tree.closest_one_by_one(Kernel::Avx2, origin, directions, live, best);
             continue;
         }
-        let packet = Packet::new(m, origin, directions, live, tree, kz);
+        let packet = Packet::new(m, origin, directions, live, &slab, kz);
         closest_packet(m, tree, &packet, best);
     }
 }
@@ -241,10 +245,9 @@ pub(super) struct Packet<'a, M: Machine> {
 
 impl<'a, M: Machine> Packet<'a, M> {
     #[inline(always)]
-    fn new(m: M, origin: Vec3, directions: &'a [[f32; LANES]; 3], live: u16, tree: &Tree, kz: usize) -> Self {
+    fn new(m: M, origin: Vec3, directions: &'a [[f32; LANES]; 3], live: u16, slab: &Slab, kz: usize) -> Self {
         let [kx, ky] = [[1, 2], [2, 0], [0, 1]][kz];
         let any = lane(directions, live.trailing_zeros() as usize);
-        let slab = Slab::new(origin, any, &tree.hierarchy.bounds, 0.0);
         let axes = [kx, ky, kz];
         let d = three!(k => m.blend(live, m.load(&directions[axes[k]]), m.splat(any[axes[k]])));
         let one = m.splat(1.0);

@@ -55,6 +55,12 @@ impl Slab {
         1.0 / if size < least { least } else { size }.copysign(component)
     }
 
+    /// Bounds the distance to any corner along each axis; nothing is known of those that are moved.
+    #[inline(always)]
+    pub(super) fn reach(&self, moved: bool) -> f32 {
+        if moved { f32::INFINITY } else { self.widening * (1.0 / WIDENING) * (1.0 + 4.0 * f32::EPSILON) }
+    }
+
     /// Distances at which the line enters and leaves a box; it misses where the first exceeds the second.
     pub(super) fn span(&self, lower: [f32; 3], upper: [f32; 3]) -> (f32, f32) {
         let (mut enter, mut leave) = (0f32, f32::INFINITY);
