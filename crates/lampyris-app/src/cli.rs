@@ -52,6 +52,8 @@ pub(crate) enum Command {
     /// Measure illuminance [lx] at points of a scene
     #[command(after_help = MEASURE_EXAMPLES)]
     Measure(MeasureArgs),
+    /// Measure how fast this machine is
+    Bench(BenchArgs),
     /// Say what is in a scene
     Info(InfoArgs),
     /// List parts, sequences, formats and tone curves
@@ -83,6 +85,10 @@ pub(crate) struct RenderArgs {
     /// Leave single bright speckles in PNG, where caustics have not settled
     #[arg(long)]
     pub(crate) no_despeckle: bool,
+    /// Average each batch between neighbours that see the same surface: auto, while the error shows, or off [default: auto;
+    /// off where --parts, --paths or --spp say how to estimate]
+    #[arg(long, value_name = "auto|off", value_parser = parse::filter)]
+    pub(crate) filter: Option<bool>,
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,
@@ -120,15 +126,27 @@ pub(crate) struct EstimateArgs {
     /// Parts to add up: all, path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
     pub(crate) parts: Vec<String>,
-    /// Light paths started in one batch [default: by the picture's size 16 to 64, by the number of meters 64 to 1024]
+    /// Light paths started in one batch [default: 1600; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
-    /// Batches [default: 8, or as many as --time allows]
+    /// Caustic photons in one batch, where anything is sharp; half as many again for indirect light [default: 8192]
+    #[arg(long, value_name = "N")]
+    pub(crate) photons: Option<u32>,
+    /// Batches [default: 32, 8 unfiltered, or as many as --time allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) batches: Option<u32>,
-    /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one for 8 paths; one a path for `path`]
+    /// Eye samples a pixel in one batch; the 1997 report takes one a light path [default: one; unfiltered one for 16 paths; one a path for `path`]
     #[arg(long, value_name = "N")]
     pub(crate) spp: Option<u32>,
+    /// Pixels that share the light paths of a batch among them, each lit by a class of its own [default: 5x5; unfiltered 1x1]
+    #[arg(long, value_name = "NxM", value_parser = parse::size)]
+    pub(crate) interleave: Option<(u32, u32)>,
+    /// Light points in one batch [default: 50; unfiltered one a light path]
+    #[arg(long, value_name = "N")]
+    pub(crate) light_points: Option<u32>,
+    /// Virtual lights that sixteen pixels pick by what they would give them unshadowed [default: 8; unfiltered all]
+    #[arg(long, value_name = "N")]
+    pub(crate) picks: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done
     #[arg(long, value_name = "SECONDS", value_parser = parse::seconds)]
     pub(crate) time: Option<Duration>,
@@ -141,7 +159,7 @@ pub(crate) struct EstimateArgs {
     /// Leave out what clamping takes: faster, too dark in corners
     #[arg(long)]
     pub(crate) no_compensate: bool,
-    /// Clamping radius of virtual lights in units of √(area/virtual lights); 0 clamps nothing [default: 1.5]
+    /// Clamping radius of virtual lights in units of √(area/virtual lights); 0 clamps nothing [default: 4; unfiltered 1.5]
     #[arg(long, value_name = "C")]
     pub(crate) clamp: Option<f32>,
     /// How particles thin out: fractional, paper, roulette [default: fractional]
@@ -152,13 +170,15 @@ pub(crate) struct EstimateArgs {
     pub(crate) sequence: Option<String>,
 }
 
-/// Batches where neither their number nor a time is given: each randomisation has several.
+/// Batches where neither their number nor a time is given: each randomisation has several. Filtered ones are short.
 const BATCHES: u32 = 8;
+const FILTERED_BATCHES: u32 = 32;
 
 impl EstimateArgs {
-    /// How many batches there will be; `None` where time alone decides.
-    pub(crate) fn planned_batches(&self) -> Option<u32> {
-        self.batches.or(if self.time.is_some() { None } else { Some(BATCHES) })
+    /// How many batches there will be, filtered or not; `None` where time alone decides.
+    pub(crate) fn planned_batches(&self, filtered: bool) -> Option<u32> {
+        let usual = if filtered { FILTERED_BATCHES } else { BATCHES };
+        self.batches.or(if self.time.is_some() { None } else { Some(usual) })
     }
 }
 
@@ -248,6 +268,31 @@ pub(crate) struct MeasureArgs {
     /// Say nothing but errors
     #[arg(long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// Folder of the scenes that ship
+    #[arg(long, value_name = "DIR", default_value = "scenes")]
+    pub(crate) scenes: PathBuf,
+    /// Measure this scene instead; may repeat
+    #[arg(long, value_name = "FILE")]
+    pub(crate) scene: Vec<PathBuf>,
+    /// Width and height [pixels]
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = parse::size)]
+    pub(crate) size: (u32, u32),
+    /// Threads, one row each [default: 1, and one a core]
+    #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) threads: Vec<u32>,
+    /// Frames a row; the median counts
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) frames: u32,
+    /// Also measure frames as they are shown by default, with virtual lights picked
+    #[arg(long)]
+    pub(crate) picked: bool,
+    /// Print an array of rows
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -27,23 +27,30 @@ const TEXTURED_WORK_A_SECOND: f64 = 3e6;
 const HURRIED_PATHS: u64 = 4;
 const METER_PATHS: (u64, u64) = (64, 1024);
 
-/// The settings that the arguments ask for, for a picture of that size of a scene with or without textures.
+/// The settings that the arguments ask for, for a picture of that size of a scene with or without textures; `filter` as
+/// the user said.
 pub(crate) fn for_picture(
     args: &EstimateArgs,
+    filter: Option<bool>,
     (width, height): (u32, u32),
     textured: bool,
 ) -> Result<Settings, Failure> {
+    let shaped = args.paths.is_some() || args.spp.is_some() || args.parts != ["all"];
+    if filter.unwrap_or(!shaped) {
+        return settings(args, Settings::interactive());
+    }
     let pixels = u64::from(width) * u64::from(height);
     let speed = if textured { TEXTURED_WORK_A_SECOND } else { WORK_A_SECOND };
     let in_time = args.time.map_or(u64::MAX, |t| (t.as_secs_f64() * speed) as u64 / pixels.max(1));
     let (least, most) = PICTURE_PATHS;
     let least = least.min(in_time.max(HURRIED_PATHS));
-    settings(args, paths(pixels, (least, most.min(in_time).max(least))))
+    let paths = paths(pixels, (least, most.min(in_time).max(least)));
+    settings(args, Settings { paths, ..Settings::default() })
 }
 
 /// The settings that the arguments ask for, for so many meters.
 pub(crate) fn for_meters(args: &EstimateArgs, meters: usize) -> Result<Settings, Failure> {
-    settings(args, paths(meters as u64, METER_PATHS))
+    settings(args, Settings { paths: paths(meters as u64, METER_PATHS), ..Settings::default() })
 }
 
 /// A power of two.
@@ -51,8 +58,8 @@ fn paths(pixels: u64, (least, most): (u64, u64)) -> u32 {
     1 << (WORK / pixels.max(1)).clamp(least, most).ilog2()
 }
 
-fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
-    let defaults = Settings::default();
+/// What the arguments say, `otherwise` where they say nothing.
+fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failure> {
     let mut parts = Vec::new();
     for name in &args.parts {
         match name.as_str() {
@@ -64,18 +71,22 @@ fn settings(args: &EstimateArgs, paths: u32) -> Result<Settings, Failure> {
     if args.no_compensate {
         parts.retain(|p| p != "compensation");
     }
-    let paths = args.paths.unwrap_or(paths);
+    let paths = args.paths.unwrap_or(otherwise.paths);
     // The oracle uses no light paths: there a batch of N means N samples.
     let shared = if parts == ["path"] { paths } else { paths.div_ceil(PATHS_PER_EYE_PASS) };
     let settings = Settings {
         parts,
         paths,
-        passes: Some(args.spp.unwrap_or(shared)),
-        clamp: args.clamp.unwrap_or(defaults.clamp),
-        absorption: args.absorption.as_deref().map_or(Ok(defaults.absorption), absorption)?,
-        sequence: args.sequence.as_deref().map_or(Ok(defaults.sequence), sequence)?,
-        seed: args.seed.unwrap_or(defaults.seed),
-        ..defaults
+        passes: Some(args.spp.or(otherwise.passes).unwrap_or(shared)),
+        interleave: args.interleave.map_or(otherwise.interleave, |(n, m)| [n, m]),
+        light_points: args.light_points.or(otherwise.light_points),
+        picks: args.picks.or(otherwise.picks),
+        photons: args.photons.unwrap_or(otherwise.photons),
+        clamp: args.clamp.unwrap_or(otherwise.clamp),
+        absorption: args.absorption.as_deref().map_or(Ok(otherwise.absorption), absorption)?,
+        sequence: args.sequence.as_deref().map_or(Ok(otherwise.sequence), sequence)?,
+        seed: args.seed.unwrap_or(otherwise.seed),
+        ..otherwise
     };
     settings.check()?;
     Ok(settings)
@@ -100,10 +111,11 @@ fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) ->
 pub(crate) fn run(
     backend: &mut dyn Backend,
     args: &EstimateArgs,
+    filtered: bool,
     start: Instant,
     progress: &Progress,
 ) -> Result<bool, Failure> {
-    let batches = args.planned_batches().unwrap_or(u32::MAX);
+    let batches = args.planned_batches(filtered).unwrap_or(u32::MAX);
     let begun = Instant::now();
     interrupt::rendering();
     for index in 0..batches {

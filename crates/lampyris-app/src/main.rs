@@ -1,6 +1,7 @@
 //! The program `lampyris`: pictures, measurements and figures of scenes from the command line.
 //! It reads arguments, calls the library and says what came of it; no light is transported here.
 
+mod bench;
 mod cli;
 mod completions;
 mod estimate;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
     let done = match command {
         Command::Render(args) => render::render(&args),
         Command::Measure(args) => measure::measure(&args),
+        Command::Bench(args) => bench::bench(&args),
         Command::Info(args) => info::info(&args),
         Command::List(args) => list::list(&args),
         Command::Completions(args) => completions::completions(&args),

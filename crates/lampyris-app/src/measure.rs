@@ -44,8 +44,8 @@ pub(crate) fn measure(args: &MeasureArgs) -> Result<ExitCode, Failure> {
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
     backend.begin(loaded.scene, Eye::Meters(meters.clone()), &settings)?;
-    let progress = Progress::new(&args.estimate, args.quiet);
-    let interrupted = estimate::run(&mut backend, &args.estimate, start, &progress)?;
+    let progress = Progress::new(&args.estimate, false, args.quiet);
+    let interrupted = estimate::run(&mut backend, &args.estimate, false, start, &progress)?;
     let readings = readings(&meters, backend.frame()?);
     if args.json {
         say::json(&readings)?;

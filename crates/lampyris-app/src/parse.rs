@@ -70,6 +70,15 @@ fn number(text: &str) -> Result<f32, String> {
     }
 }
 
+/// `auto` or `off`.
+pub(crate) fn filter(text: &str) -> Result<bool, String> {
+    match text {
+        "auto" => Ok(true),
+        "off" => Ok(false),
+        _ => Err("say auto or off".into()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

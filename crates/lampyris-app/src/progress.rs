@@ -9,8 +9,8 @@ pub(crate) struct Progress(ProgressBar);
 
 impl Progress {
     /// A line for the work that the arguments ask for; none if `quiet`.
-    pub(crate) fn new(args: &EstimateArgs, quiet: bool) -> Progress {
-        let bar = match (quiet, args.planned_batches()) {
+    pub(crate) fn new(args: &EstimateArgs, filtered: bool, quiet: bool) -> Progress {
+        let bar = match (quiet, args.planned_batches(filtered)) {
             (true, _) => ProgressBar::hidden(),
             (_, None) => ProgressBar::new_spinner(),
             (_, Some(batches)) => ProgressBar::new(batches.into()),

@@ -74,11 +74,11 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let outputs = outputs(args)?;
     // Bad arguments are told of before anything is read.
-    estimate::for_picture(&args.estimate, args.size, false)?;
+    estimate::for_picture(&args.estimate, args.filter, args.size, false)?;
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let textured = !loaded.scene.textures.is_empty();
-    let settings =
-        Settings { auxiliary: args.aov, ..estimate::for_picture(&args.estimate, args.size, textured)? };
+    let settings = estimate::for_picture(&args.estimate, args.filter, args.size, textured)?;
+    let settings = Settings { auxiliary: args.aov, ..settings };
     let loaded_at = Instant::now();
 
     let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
@@ -94,8 +94,8 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let viewed_at = Instant::now();
 
     backend.begin_world(world, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
-    let progress = Progress::new(&args.estimate, args.quiet);
-    let interrupted = estimate::run(&mut backend, &args.estimate, start, &progress)?;
+    let progress = Progress::new(&args.estimate, settings.filter, args.quiet);
+    let interrupted = estimate::run(&mut backend, &args.estimate, settings.filter, start, &progress)?;
     let rendered_at = Instant::now();
 
     let Statistics { rays, vpls, non_finite } = backend.statistics();
@@ -169,7 +169,7 @@ fn outputs(args: &RenderArgs) -> Result<Vec<PathBuf>, Error> {
 }
 
 fn picture(frame: &Frame, metadata: Vec<(String, String)>, aov: bool) -> Picture {
-    let mut picture = Picture::new(frame.width, frame.height, frame.mean());
+    let mut picture = Picture::new(frame.width, frame.height, frame.shown());
     picture.metadata = metadata;
     if aov {
         picture.layers = layers(frame);
@@ -194,6 +194,7 @@ fn layers(frame: &Frame) -> Vec<Layer> {
         layer("direct", Plane::Color(sum(true)));
         layer("indirect", Plane::Color(sum(false)));
     }
+    layer("raw", Plane::Color(frame.mean()));
     if let Some(a) = frame.auxiliary() {
         let scale = 1.0 / a.samples.max(1) as f32;
         let unit = |n: &Rgb| Vec3::new(n.r, n.g, n.b).normalize_or_zero();
@@ -214,7 +215,12 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
         ("view", viewing::arguments(camera)),
         ("parts", settings.parts.join(",")),
         ("paths", settings.paths.to_string()),
+        ("photons", settings.photons.to_string()),
         ("spp", settings.eye_passes().to_string()),
+        ("interleave", format!("{}x{}", settings.interleave[0], settings.interleave[1])),
+        ("light points", or_all(settings.light_points)),
+        ("picks", or_all(settings.picks)),
+        ("filter", if settings.filter { "auto" } else { "off" }.to_string()),
         ("batches", batches.to_string()),
         ("seed", settings.seed.to_string()),
         ("sequence", settings.sequence.name().to_string()),
@@ -224,4 +230,8 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
     ]
     .map(|(key, value)| (key.to_string(), value))
     .into()
+}
+
+fn or_all(number: Option<u32>) -> String {
+    number.map_or("all".into(), |n| n.to_string())
 }

@@ -51,7 +51,7 @@ fn the_stated_error_is_the_spread_over_seeds() {
 #[test]
 fn the_interval_of_95_percent_is_student_s() {
     // Quantiles of Student's distribution at 97.5 % [any table]: 12.706 for one degree of freedom, 3.182 for three.
-    let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+    let mut frame = Frame::new(1, 1, &["direct"], &Settings::default());
     frame.count(0);
     assert_eq!(frame.student_factor(), f32::INFINITY);
     frame.count(1);

@@ -48,13 +48,23 @@ fn main() -> lampyris::Result<()> {
     let (width, height, passes) = (240, 160, 16);
     let (eye, settings) = (Eye::Camera(View::new(&camera, width, height)), Settings::default());
     let plan = Plan::new(&world, &settings);
-    let mut tile = eye.tile(&world, Rect { x: 0, y: 0, width, height });
+    let mut tile = eye.tiles(&world, Rect { x: 0, y: 0, width, height }, [1, 1]).remove(0);
     let mut sum = vec![Rgb::BLACK; (width * height) as usize];
     for index in 0..passes {
         let sampling = Sampling { offset: [0.5; 2], index, seed: 0 };
         eye.look(&sampling, &mut tile);
         let (world, settings, plan, eye) = (&world, &settings, &plan, &eye);
-        let pass = Pass { world, settings, plan, eye, lights: &[], vpls: &[], sampling };
+        let pass = Pass {
+            world,
+            settings,
+            plan,
+            eye,
+            lights: &[],
+            vpls: &[],
+            beacons: &[],
+            photons: None,
+            sampling,
+        };
         Openness.add(&pass, &tile, &mut sum, &mut Rays::default());
     }
     let mean = sum.into_iter().map(|v| v * (1.0 / passes as f32)).collect();

@@ -18,17 +18,38 @@ impl Default for Settings {
             parts: integrator::WHOLE.iter().map(|n| (*n).to_owned()).collect(),
             paths: 64,
             passes: None,
+            interleave: [1, 1],
+            light_points: None,
+            picks: None,
+            longest: None,
             absorption: Absorption::Fractional,
             sequence: Sequence::default(),
             clamp: 1.5,
             replicates: 4,
+            photons: 1 << 13,
             seed: 0,
+            filter: false,
             auxiliary: false,
         }
     }
 }
 
 impl Settings {
+    /// A batch that is a frame to look at: each pixel gathers from one class of 25, picks what matters to it, and is
+    /// averaged with its neighbours (docs/performance.md says how these numbers were found).
+    pub fn interactive() -> Settings {
+        Settings {
+            paths: 1600,
+            passes: Some(1),
+            interleave: [5, 5],
+            light_points: Some(50),
+            picks: Some(8),
+            clamp: 4.0,
+            filter: true,
+            ..Settings::default()
+        }
+    }
+
     /// Refuses settings that make no sense, with the mend.
     pub fn check(&self) -> Result<()> {
         let bad = |text: &str| Err(Error::BadSetting(text.to_owned()));
@@ -37,6 +58,18 @@ impl Settings {
         }
         if self.passes.is_some_and(|p| p == 0 || p > 1 << 22) {
             return bad("the number of eye passes must be 1 to 4194304");
+        }
+        if self.interleave.iter().any(|n| !(1..=8).contains(n)) {
+            return bad("pixels are interleaved 1 × 1 to 8 × 8");
+        }
+        if self.filter && self.eye_passes() != 1 {
+            return bad("to be filtered, a batch must have one eye pass");
+        }
+        if self.light_points == Some(0) || self.picks == Some(0) {
+            return bad("light points and picked virtual lights must be at least 1");
+        }
+        if self.photons == 0 || self.photons > 1 << 24 {
+            return bad("the number of photons must be 1 to 16777216");
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

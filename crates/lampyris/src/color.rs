@@ -5,6 +5,9 @@
 use serde::{Deserialize, Serialize};
 use std::ops::{Add, AddAssign, Div, Index, Mul, MulAssign, Neg, Sub};
 
+/// Brightest that a light or surface may be [cd/m², cd or lx]: a hundred million suns, so that fluxes are still finite.
+pub const BRIGHTEST: f32 = 1e18;
+
 /// Three channels of linear light, or a reflectance per channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[repr(C)]

@@ -6,17 +6,29 @@ use crate::backend::{Backend, Batch, Rays, Settings, Statistics};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Rect, Sampling, Tile};
+use crate::filter::{self, Glimpse, Seen};
 use crate::frame::{Auxiliary, Frame};
+use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Pass};
 use crate::particle::{Plan, Walk};
-use crate::scene::Scene;
+use crate::photon::Photons;
+use crate::scene::{Edit, Scene};
 use crate::sequence::{self, jittered_hammersley};
-use crate::world::World;
+use crate::world::{Changes, World};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
+/// Least edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
 const TILE: u32 = 16;
+
+/// How far from each other's tangent plane the vertices of neighbouring pixels may lie and still be of one surface
+/// [edges of a pixel].
+const SLACK: f32 = 1.7;
+
+/// The least edge for n interleaved pixels: whole packets of each class.
+fn tile_edge(n: u32) -> u32 {
+    TILE.div_ceil(4 * n) * 4 * n
+}
 
 /// All cores of this machine, or as many threads as one likes.
 pub struct Cpu {
@@ -32,6 +44,8 @@ struct Job {
     plan: Plan,
     integrators: Vec<&'static dyn Integrator>,
     frame: Frame,
+    /// What the last batch saw, if it is to be filtered.
+    seen: Option<Seen>,
     statistics: Statistics,
 }
 
@@ -61,7 +75,8 @@ impl Cpu {
         let (width, height) = eye.size();
         self.job = Some(Job {
             plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings.replicates, settings.auxiliary),
+            frame: Frame::new(width, height, &names, settings),
+            seen: settings.filter.then(|| Seen::new(width, height)),
             statistics: Statistics::default(),
             settings: settings.clone(),
             world,
@@ -71,9 +86,28 @@ impl Cpu {
         Ok(())
     }
 
+    /// Starts afresh in the world in use.
+    pub fn restart(&mut self, eye: Eye, settings: &Settings) -> Result<()> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
+        let world = self.job.take().ok_or_else(nothing)?.world;
+        self.begin_world(world, eye, settings)
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
+    }
+
+    /// Changes the world in use, on the threads of this back end. What has been summed is of the world before: it is the
+    /// caller's to [`Cpu::restart`].
+    ///
+    /// # Errors
+    /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
+    pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
+        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(nothing)?;
+        pool.install(|| job.world.apply(edit))
     }
 
     fn job(&mut self) -> Result<&mut Job> {
@@ -114,6 +148,7 @@ struct Summed {
     rect: Rect,
     parts: Vec<Vec<Rgb>>,
     auxiliary: Option<Auxiliary>,
+    glimpse: Option<Glimpse>,
     rays: Rays,
     non_finite: u64,
 }
@@ -121,68 +156,100 @@ struct Summed {
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
-        let (width, height) = self.eye.size();
+        let photons = (self.world.has_sharp_surfaces() && integrator::gather_photons(&self.integrators))
+            .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
+        let width = self.eye.size().0;
         let passes = self.settings.eye_passes();
-        let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
-        let run = passes.div_ceil(PIECES.div_ceil(tiles.max(1)));
-        let pieces: Vec<(Rect, Range<u32>)> = (0..height)
-            .step_by(TILE as usize)
-            .flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| (x, y)))
-            .map(|(x, y)| Rect { x, y, width: TILE.min(width - x), height: TILE.min(height - y) })
+        let rects = self.rects();
+        let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32));
+        let pieces: Vec<(Rect, Range<u32>)> = rects
+            .into_iter()
             .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
             .collect();
+        let sampling = self.sampling(batch, 0);
         let done: Vec<Summed> = pieces
             .par_iter()
-            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk))
+            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk, photons.as_ref()))
             .collect();
 
-        // A batch is summed by itself before it is added: others may then merge it to the same bits.
-        let scale = 1.0 / passes as f32;
-        let replicate = batch.index % self.settings.replicates;
-        let mut done = done.into_iter().peekable();
-        while let Some(mut tile) = done.next() {
-            tile.parts.iter_mut().flatten().for_each(|v| *v *= scale);
-            note(&tile, width, &mut self.statistics, &mut self.frame);
-            while let Some(more) = done.next_if(|more| more.rect == tile.rect) {
-                let pairs = tile.parts.iter_mut().flatten().zip(more.parts.iter().flatten());
-                pairs.for_each(|(sum, v)| *sum += *v * scale);
-                note(&more, width, &mut self.statistics, &mut self.frame);
-            }
-            self.frame.add(replicate, tile.rect, &tile.parts);
+        if let (Some(seen), Some(shown)) = (&mut self.seen, self.frame.shown_mut()) {
+            seen.assemble(&done.iter().filter_map(|piece| piece.glimpse.as_ref()).collect::<Vec<_>>());
+            let interleave = self.settings.interleave;
+            let further = filter::show(&self.world, &self.eye, &sampling, seen, interleave, shown);
+            self.statistics.rays.eye += further;
         }
+        let replicate = batch.index % self.settings.replicates;
+        let mut tiles: Vec<(Rect, Vec<Vec<Rgb>>)> = Vec::with_capacity(done.len());
+        for piece in done {
+            note(&piece, width, &mut self.statistics, &mut self.frame);
+            match tiles.last_mut().filter(|(rect, _)| *rect == piece.rect) {
+                Some((_, parts)) => {
+                    let pairs = parts.iter_mut().flatten().zip(piece.parts.iter().flatten());
+                    pairs.for_each(|(sum, v)| *sum += *v);
+                }
+                None => tiles.push((piece.rect, piece.parts)),
+            }
+        }
+        // A batch is summed by itself before it is added: others may then merge it to the same bits.
+        self.frame.add(replicate, &tiles);
         self.frame.count(replicate);
         if let Some(sums) = self.frame.auxiliary_mut() {
             sums.samples += passes;
         }
-        self.statistics.rays.particle += walk.rays;
+        self.statistics.rays.particle += walk.rays + photons.as_ref().map_or(0, |p| p.rays);
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
+    /// The picture cut into tiles.
+    fn rects(&self) -> Vec<Rect> {
+        let (width, height) = self.eye.size();
+        let [w, h] = self.settings.interleave.map(tile_edge);
+        let rows = (0..height).step_by(h as usize);
+        let corners = rows.flat_map(|y| (0..width).step_by(w as usize).map(move |x| (x, y)));
+        corners.map(|(x, y)| Rect { x, y, width: w.min(width - x), height: h.min(height - y) }).collect()
+    }
+
     /// Some eye passes of a batch in one tile.
-    fn render(&self, rect: Rect, numbers: Range<u32>, batch: Batch, walk: &Walk<'_>) -> Summed {
+    fn render(
+        &self,
+        rect: Rect,
+        numbers: Range<u32>,
+        batch: Batch,
+        walk: &Walk<'_>,
+        photons: Option<&Photons>,
+    ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
         let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
         let mut once = vec![Rgb::BLACK; pixels];
         let mut auxiliary = self.settings.auxiliary.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
-        let mut tile = self.eye.tile(&self.world, rect);
+        let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
         for number in numbers {
             let sampling = self.sampling(batch, number);
-            self.eye.look(&sampling, &mut tile);
-            rays.eye += tile.rays;
-            let pass = Pass {
-                world: &self.world,
-                settings: &self.settings,
-                plan: &self.plan,
-                eye: &self.eye,
-                lights: walk.lights_of(number),
-                vpls: walk.vpls_of(number),
-                sampling,
-            };
+            for tile in &mut tiles {
+                self.eye.look(&sampling, tile);
+                rays.eye += tile.rays;
+            }
+            let first = number * tiles.len() as u32;
+            let passes: Vec<Pass<'_>> = (first..first + tiles.len() as u32)
+                .map(|class| Pass {
+                    world: &self.world,
+                    settings: &self.settings,
+                    plan: &self.plan,
+                    eye: &self.eye,
+                    lights: walk.lights_of(class),
+                    vpls: walk.vpls_of(class),
+                    photons,
+                    beacons: walk.beacons_of(class),
+                    sampling,
+                })
+                .collect();
             for (integrator, sum) in self.integrators.iter().zip(&mut parts) {
                 once.fill(Rgb::BLACK);
-                integrator.add(&pass, &tile, &mut once, &mut rays);
+                for (pass, tile) in passes.iter().zip(&tiles) {
+                    integrator.add(pass, tile, &mut once, &mut rays);
+                }
                 for (s, v) in sum.iter_mut().zip(&once) {
                     if v.is_finite() {
                         *s += *v;
@@ -192,10 +259,37 @@ impl Job {
                 }
             }
             if let Some(sums) = &mut auxiliary {
-                note_first(&tile, sums);
+                tiles.iter().for_each(|tile| note_first(tile, sums));
             }
         }
-        Summed { rect, parts, auxiliary, rays, non_finite }
+        let scale = 1.0 / self.settings.eye_passes() as f32;
+        parts.iter_mut().flatten().for_each(|v| *v *= scale);
+        let glimpse = self.seen.is_some().then(|| self.glimpse(rect, &tiles, &parts));
+        Summed { rect, parts, auxiliary, glimpse, rays, non_finite }
+    }
+
+    /// What a batch of one eye pass saw in a tile.
+    fn glimpse(&self, rect: Rect, tiles: &[Tile<'_>], parts: &[Vec<Rgb>]) -> Glimpse {
+        let mut glimpse = Glimpse::new(rect);
+        let parts = || self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
+        for p in tiles.iter().flat_map(|tile| &tile.packets) {
+            for k in p.lanes() {
+                let at = p.pixels[k] as usize;
+                let sum = |smooth: bool| {
+                    parts()
+                        .filter(|(i, _)| i.is_smooth() == smooth)
+                        .fold(Rgb::BLACK, |s, (_, part)| s + part[at])
+                };
+                glimpse.light(at, sum(true), sum(false), p.emission[k]);
+            }
+            for k in lanes(p.live) {
+                let (position, normal) = (lane(&p.position, k), lane(&p.shading, k));
+                let tint = p.throughput[k] * p.reflectance[k];
+                let slack = self.eye.pixel_size(position) * SLACK;
+                glimpse.place(p.pixels[k] as usize, position, normal, p.alike(k), tint, slack);
+            }
+        }
+        glimpse
     }
 
     /// The sample that an eye pass takes: a jittered Hammersley point for its number, both coordinates shifted

@@ -1,9 +1,12 @@
 //! Sums of batches: one plane a part, one a randomisation. The only mutable thing that outlives a batch.
-//! No filter ever writes here; means and errors are asked for, never stored.
+//! No filter ever writes into them; what filtered batches show is summed beside. Means and errors are asked for, never
+//! stored.
 
 use crate::color::Rgb;
 use crate::eye::Rect;
+use crate::settings::Settings;
 use crate::testing::student_quantile;
+use rayon::prelude::*;
 
 /// The sums of a picture, or of a list of meters (then one row).
 #[derive(Clone, Debug, Default)]
@@ -18,6 +21,8 @@ pub struct Frame {
     replicates: Vec<Vec<f32>>,
     /// Batches added to each randomisation.
     batches: Vec<u32>,
+    /// Σ over the batches of what each shows, if filtered.
+    shown: Option<Vec<Rgb>>,
     auxiliary: Option<Auxiliary>,
 }
 
@@ -60,15 +65,16 @@ impl Auxiliary {
 
 impl Frame {
     /// An empty frame.
-    pub fn new(width: u32, height: u32, parts: &[&str], replicates: u32, auxiliary: bool) -> Frame {
+    pub fn new(width: u32, height: u32, parts: &[&str], settings: &Settings) -> Frame {
         let pixels = width as usize * height as usize;
         Frame {
             width,
             height,
             parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
-            replicates: vec![vec![0.0; pixels]; replicates as usize],
-            batches: vec![0; replicates as usize],
-            auxiliary: auxiliary.then(|| Auxiliary::new(pixels)),
+            replicates: vec![vec![0.0; pixels]; settings.replicates as usize],
+            batches: vec![0; settings.replicates as usize],
+            shown: settings.filter.then(|| vec![Rgb::BLACK; pixels]),
+            auxiliary: settings.auxiliary.then(|| Auxiliary::new(pixels)),
         }
     }
 
@@ -99,6 +105,43 @@ impl Frame {
         mean
     }
 
+    /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
+    /// be visible. The one turns into the other by degrees.
+    pub fn shown(&self) -> Vec<Rgb> {
+        let mut mean = self.mean();
+        let Some(filtered) = &self.shown else { return mean };
+        let share = filtered_share(self.visible_error());
+        let scale = 1.0 / self.batches().max(1) as f32;
+        let mix = |(m, s): (&mut Rgb, &Rgb)| *m = *m * (1.0 - share) + *s * (share * scale);
+        mean.iter_mut().zip(filtered).for_each(mix);
+        mean
+    }
+
+    /// The mean over all pixels of the squared relative error that the spread of the randomisations promises, dark pixels
+    /// measured against a tenth of the mean; infinite before two of them have a batch.
+    fn visible_error(&self) -> f64 {
+        let used = || (0..self.batches.len()).filter(|k| self.batches[*k] > 0);
+        let count = used().count();
+        if count < 2 {
+            return f64::INFINITY;
+        }
+        let n = self.batches() as f32;
+        let means: Vec<f32> = (0..self.replicates[0].len())
+            .map(|at| used().map(|k| self.replicates[k][at]).sum::<f32>() / n)
+            .collect();
+        let tenth = 0.1 * means.iter().map(|m| f64::from(*m)).sum::<f64>() / means.len().max(1) as f64;
+        let floor = (tenth * tenth) as f32;
+        let error = |(at, mean): (usize, &f32)| {
+            let squares = used().map(|k| {
+                let nk = self.batches[k] as f32;
+                nk * (self.replicates[k][at] / nk - mean).powi(2)
+            });
+            let variance = squares.sum::<f32>() / ((count - 1) as f32 * n);
+            f64::from(variance / (mean * mean + floor).max(f32::MIN_POSITIVE))
+        };
+        means.iter().enumerate().map(error).sum::<f64>() / means.len().max(1) as f64
+    }
+
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
     /// infinite before each of two has a batch.
     pub fn standard_error(&self, pixel: usize) -> f32 {
@@ -123,23 +166,45 @@ impl Frame {
         self.auxiliary.as_ref()
     }
 
-    /// Adds a rectangle of a batch of randomisation `replicate`: the values of the parts, in the order of `part_names`,
-    /// each row by row.
-    pub fn add(&mut self, replicate: u32, rect: Rect, parts: &[Vec<Rgb>]) {
-        let luminance = &mut self.replicates[replicate as usize];
-        let width = rect.width as usize;
-        for ((_, sum), values) in self.parts.iter_mut().zip(parts) {
-            for (row, values) in values.chunks(width).enumerate() {
-                let at = (rect.y as usize + row) * self.width as usize + rect.x as usize;
-                sum[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
-                luminance[at..at + width].iter_mut().zip(values).for_each(|(s, v)| *s += v.luminance());
+    /// Adds a batch of randomisation `replicate`: rectangles of the picture, each with the values of the parts in the order
+    /// of `part_names`, row by row.
+    pub fn add(&mut self, replicate: u32, tiles: &[(Rect, Vec<Vec<Rgb>>)]) {
+        let Frame { width, parts, replicates, .. } = self;
+        let luminance = &mut replicates[replicate as usize];
+        let places = |rect: &Rect| {
+            let (left, width) = (rect.x as usize, *width as usize);
+            (rect.y as usize..(rect.y + rect.height) as usize).map(move |row| row * width + left)
+        };
+        let add_parts = || {
+            parts.par_iter_mut().enumerate().for_each(|(number, (_, sum))| {
+                for (rect, values) in tiles {
+                    let rows = values[number].chunks(rect.width as usize);
+                    for (at, values) in places(rect).zip(rows) {
+                        sum[at..at + values.len()].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
+                    }
+                }
+            });
+        };
+        let add_luminance = || {
+            for (rect, values) in tiles {
+                for values in values {
+                    for (at, values) in places(rect).zip(values.chunks(rect.width as usize)) {
+                        let pairs = luminance[at..at + values.len()].iter_mut().zip(values);
+                        pairs.for_each(|(s, v)| *s += v.luminance());
+                    }
+                }
             }
-        }
+        };
+        rayon::join(add_parts, add_luminance);
     }
 
     /// A batch of randomisation `replicate` is complete: every pixel of it was added once.
     pub fn count(&mut self, replicate: u32) {
         self.batches[replicate as usize] += 1;
+    }
+
+    pub(crate) fn shown_mut(&mut self) -> Option<&mut Vec<Rgb>> {
+        self.shown.as_mut()
     }
 
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
@@ -163,15 +228,24 @@ impl Frame {
     }
 }
 
+/// Squared relative errors between which the unfiltered mean takes over: what filtering leaves lies about the smaller.
+const EXCHANGE: [f64; 2] = [5e-5, 2e-4];
+
+/// How much of the filtered picture is shown at an estimated squared relative error of the unfiltered.
+fn filtered_share(error: f64) -> f32 {
+    let [low, high] = EXCHANGE;
+    ((error - low) / (high - low)).clamp(0.0, 1.0) as f32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_interval_is_students() {
-        let mut frame = Frame::new(1, 1, &["direct"], 4, false);
+        let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() });
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
-            frame.add(k, Rect { x: 0, y: 0, width: 1, height: 1 }, &[vec![Rgb::grey(v)]]);
+            frame.add(k, &[(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])]);
             frame.count(k);
         }
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.

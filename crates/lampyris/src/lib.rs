@@ -37,10 +37,10 @@
 //!     }],
 //!     instances: vec![Instance { name: "floor".into(), mesh: 0, transform: Affine3A::IDENTITY }],
 //!     materials: vec![Material::new("grey", Bsdf::Diffuse(Diffuse::opaque(Rgb::grey(0.5))))],
-//!     lights: vec![Light {
-//!         name: "lamp".into(),
-//!         kind: LightKind::Point { position: Vec3::new(0.0, 0.0, 2.75), intensity: Rgb::grey(100.0) },
-//!     }],
+//!     lights: vec![Light::new(
+//!         "lamp",
+//!         LightKind::Point { position: Vec3::new(0.0, 0.0, 2.75), intensity: Rgb::grey(100.0) },
+//!     )],
 //!     ..Scene::default()
 //! };
 //! let desk = Meter { position: Vec3::new(0.0, 0.0, 0.75), normal: Vec3::Z };
@@ -195,6 +195,40 @@
 //! # Ok::<(), lampyris::Error>(())
 //! ```
 //!
+//! # 7. To work in it
+//!
+//! A [`session::Session`] is a scene that is edited while its picture grows. An [`scene::Edit`] says what shall be; it
+//! takes effect in the next step, can be taken back, and the log of all of them replays to the same picture.
+//!
+//! ```
+//! # use lampyris::{Rgb, backend::Settings, import, scene::Camera};
+//! # use std::path::Path;
+//! # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.mgf");
+//! # let mut scene = import::load(Path::new(file), &import::Options::default())?.scene;
+//! # let (eye, target, up) = ([2.78, 2.73, -8.0].into(), [2.78, 2.73, 0.0].into(), [0.0, 1.0, 0.0].into());
+//! use lampyris::scene::Edit;
+//! use lampyris::session::Session;
+//!
+//! scene.view = Some(Camera { name: "front".into(), eye, target, up, fov_y: 39.3 });
+//! let lamp = scene.materials.iter().position(|m| !m.emission.is_black()).unwrap();
+//! let settings = Settings { paths: 16, ..Settings::default() };
+//! let mut session = Session::open(scene, [24, 24], &settings, None)?;
+//! session.settle(2)?;
+//! let full = session.frame()?.mean();
+//!
+//! let emission = session.scene()?.materials[lamp].emission * 0.5;
+//! let changes = session.edit(&Edit::Emission { material: lamp as u32, emission })?;
+//! assert!(!changes.geometry && changes.emitters == [0]); // no particle takes another way
+//! session.settle(2)?;
+//! let half = session.frame()?.mean();
+//! assert!(full.iter().zip(&half).all(|(f, h)| (f.g - 2.0 * h.g).abs() <= 1e-3 * f.g));
+//!
+//! session.undo()?;
+//! session.settle(2)?;
+//! assert_eq!(session.frame()?.mean(), full); // to the bit
+//! # Ok::<(), lampyris::Error>(())
+//! ```
+//!
 //! # Features
 //!
 //! `pictures` (default): the module `output`, with the crates `exr` and `png`. Without it the library needs nothing
@@ -215,6 +249,7 @@ pub mod color;
 pub mod cpu;
 pub mod error;
 pub mod eye;
+pub mod filter;
 pub mod frame;
 pub mod geometry;
 pub mod import;
@@ -224,9 +259,11 @@ pub mod material;
 #[cfg(feature = "pictures")]
 pub mod output;
 pub mod particle;
+pub mod photon;
 pub mod sampling;
 pub mod scene;
 pub mod sequence;
+pub mod session;
 mod settings;
 pub mod testing;
 pub mod texture;

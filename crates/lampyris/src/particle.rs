@@ -31,6 +31,20 @@ pub struct Vpl<'w> {
     pub gloss: Option<Surface<'w>>,
 }
 
+/// What picking among virtual lights asks of each, in half a cache line.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(32))]
+pub struct Beacon {
+    /// Where it is [m].
+    pub position: Vec3,
+    /// Brightness: of all channels, whatever their sign; nothing only where the light gives nothing.
+    pub weight: f32,
+    /// Its normal.
+    pub normal: Vec3,
+    /// b [m⁻²].
+    pub bound: f32,
+}
+
 /// What settings and world fix for all batches: counts, survival and bounds.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -38,21 +52,28 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of emitters [m⁻²]: one for all, since each of their N paths carries the same light, whose
-    /// place is known to within the emitters' mean area, Σ p_ℓ A_ℓ.
+    /// b for the points of emitters [m⁻²]: one for all, since each path carries the same light, an N-th of what the
+    /// file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
     pub emitter_bound: f32,
     absorption: Absorption,
     /// x₀ of each emitter: its expected (or floored) number of paths.
     starts: Vec<f64>,
+    /// Of these, the share that leaves a light point: generation 0 thins out like any other.
+    pointing: f64,
 }
 
-/// The lights of one batch, sorted by the eye pass that gathers them.
+/// The lights of one batch, sorted by the class of pixels that gathers them.
 #[derive(Clone, Debug, Default)]
 pub struct Walk<'w> {
     /// Points of the lights: generation 0.
     pub lights: Vec<Vpl<'w>>,
     /// Vertices: generations 1 and up.
     pub vpls: Vec<Vpl<'w>>,
+    /// The emitter that each vertex has its light from.
+    pub sources: Vec<u32>,
+    /// Of each vertex, in their order.
+    beacons: Vec<Beacon>,
+    /// Where the lights of each class begin, and at last where they end.
     light_starts: Vec<usize>,
     vpl_starts: Vec<usize>,
     /// Rays that the particles took.
@@ -82,14 +103,16 @@ impl Plan {
             if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
         };
         let q = f64::from(survival);
-        let shares = world.shares().iter().copied().map(f64::from);
-        let emitting = world.emitters().iter().zip(shares).map(|(e, p)| p * f64::from(e.area())).sum();
+        let chances = world.chances().iter().copied().map(f64::from);
+        let points = settings.light_points.map_or(n, |l| f64::from(l).min(n));
+        let emitting = world.emitters().iter().zip(chances).map(|(e, p)| p * f64::from(e.area())).sum();
         Plan {
             survival,
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
-            emitter_bound: bound_of(emitting, n),
+            emitter_bound: bound_of(emitting, points),
             absorption: settings.absorption,
             starts,
+            pointing: points / n,
         }
     }
 
@@ -108,31 +131,32 @@ impl Plan {
 /// One particle's numbers.
 struct Path {
     emitter: usize,
-    /// i + ξ: alive in generation j while this is below x_j.
+    /// Alive in generation j while this is below x_j.
     rank: f64,
     index: u32,
     seed: u32,
-    pass: u32,
+    class: u32,
 }
 
 impl<'w> Walk<'w> {
     /// Walks all particles of a batch. The result depends on nothing but its arguments.
     pub fn new(world: &'w World, settings: &Settings, plan: &Plan, batch: Batch) -> Walk<'w> {
-        let passes = settings.eye_passes();
         let paths = start_paths(world, settings, plan, batch);
         let traced: Vec<Traced<'w>> =
             paths.par_iter().with_min_len(16).map(|p| trace(world, settings, plan, p)).collect();
         let mut walk = Walk::default();
-        let mut by_pass: Vec<Vec<usize>> = vec![Vec::new(); passes as usize];
+        let mut by_class: Vec<Vec<usize>> = vec![Vec::new(); settings.classes() as usize];
         for (k, path) in paths.iter().enumerate() {
-            by_pass[path.pass as usize].push(k);
+            by_class[path.class as usize].push(k);
         }
-        for members in by_pass {
+        for members in by_class {
             walk.light_starts.push(walk.lights.len());
             walk.vpl_starts.push(walk.vpls.len());
             for k in members {
-                walk.lights.push(traced[k].light);
+                walk.lights.extend(traced[k].light);
                 walk.vpls.extend_from_slice(&traced[k].vertices);
+                walk.sources.resize(walk.vpls.len(), paths[k].emitter as u32);
+                walk.beacons.extend(traced[k].vertices.iter().map(Beacon::from));
                 walk.rays += traced[k].rays;
             }
         }
@@ -141,50 +165,94 @@ impl<'w> Walk<'w> {
         walk
     }
 
-    /// The lights of eye pass `pass`.
-    pub fn lights_of(&self, pass: u32) -> &[Vpl<'w>] {
-        &self.lights[self.light_starts[pass as usize]..self.light_starts[pass as usize + 1]]
+    /// The lights of a class.
+    pub fn lights_of(&self, class: u32) -> &[Vpl<'w>] {
+        &self.lights[self.light_starts[class as usize]..self.light_starts[class as usize + 1]]
     }
 
-    /// The vertices of eye pass `pass`.
-    pub fn vpls_of(&self, pass: u32) -> &[Vpl<'w>] {
-        &self.vpls[self.vpl_starts[pass as usize]..self.vpl_starts[pass as usize + 1]]
+    /// The vertices of a class.
+    pub fn vpls_of(&self, class: u32) -> &[Vpl<'w>] {
+        &self.vpls[self.vpl_range(class)]
+    }
+
+    /// The same vertices for picking.
+    pub fn beacons_of(&self, class: u32) -> &[Beacon] {
+        &self.beacons[self.vpl_range(class)]
+    }
+
+    fn vpl_range(&self, class: u32) -> std::ops::Range<usize> {
+        self.vpl_starts[class as usize]..self.vpl_starts[class as usize + 1]
     }
 }
 
-/// Deals the batch's paths to emitters, sequence indices and eye passes.
+/// Without a clamp weights must stay finite all the same [m⁻²].
+const FARTHEST_BOUND: f32 = 1e12;
+
+impl From<&Vpl<'_>> for Beacon {
+    /// Of a vertex: an area element.
+    fn from(vpl: &Vpl<'_>) -> Beacon {
+        let Rgb { r, g, b } = vpl.intensity;
+        let normal = if let Shine::Lambert(normal) = vpl.shine { normal } else { Vec3::ZERO };
+        Beacon {
+            position: vpl.position,
+            weight: r.abs() + g.abs() + b.abs(),
+            normal,
+            bound: vpl.bound.min(FARTHEST_BOUND),
+        }
+    }
+}
+
+/// Deals the batch's paths to emitters, sequence indices and classes.
+///
+/// Path i of a class at place k among C classes has rank (i + frac(ξ + k/C)) C: the mean number of ranks below x is x/C in
+/// each class, and x in all of them to within one. A class takes a run of consecutive indices, the batch the runs one after
+/// another; the places rotate from batch to batch, so that a pixel comes by every residue of the sequence
+/// [Wald et al. 2002, §4.2].
 fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) -> Vec<Path> {
     let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
     let seed = sequence::hash(settings.seed, replicate);
     // Unscrambled sequences know no randomisations: there every batch takes the next block of the one sequence.
     let block_in_sequence = if settings.sequence.is_randomised() { block } else { batch.index };
-    let passes = settings.eye_passes();
-    let stride = golden_stride(passes);
-    let first = sequence::hash(seed, block ^ 0x5eed_0ff5) % passes;
+    let classes = settings.classes();
+    // Neighbours in the sequence spread over the eye passes, or survivors would sit in a corner of the pixel.
+    let stride = golden_stride(classes);
+    let first = (sequence::hash(seed, 0x5eed_0ff5) % classes).wrapping_add(block) % classes;
+    let common = threshold(seed, block);
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
         let x0 = plan.expected(emitter, 0);
+        if world.emitters()[emitter].is_dark() {
+            // Its paths would carry nothing. Those of others are the same with or without them.
+            continue;
+        }
         let seed = sequence::hash(seed, emitter as u32 + 1);
-        let threshold = match settings.absorption {
+        // Lamps of small shares take turns among the classes.
+        let shift = match settings.absorption {
             Absorption::Paper => 0.0,
-            _ => threshold(seed, block),
+            _ => (common + GOLDEN * emitter as f64).fract(),
         };
-        let base = block_in_sequence.wrapping_mul(x0.ceil() as u32);
-        for i in 0.. {
-            let rank = f64::from(i) + threshold;
-            if rank >= x0 {
-                break;
+        let mut index = block_in_sequence.wrapping_mul(x0.ceil() as u32);
+        for place in 0..classes {
+            let start = (f64::from(place) + shift * f64::from(classes)) % f64::from(classes);
+            let class =
+                ((u64::from(place) * u64::from(stride) + u64::from(first)) % u64::from(classes)) as u32;
+            for i in 0.. {
+                let rank = f64::from(i) * f64::from(classes) + start;
+                if rank >= x0 {
+                    break;
+                }
+                paths.push(Path { emitter, rank, index, seed, class });
+                index = index.wrapping_add(1);
             }
-            // Consecutive paths spread over the passes, or survivors, a prefix, would sit in a corner of the pixel.
-            let order = paths.len() as u64;
-            let pass = ((order * u64::from(stride) + u64::from(first)) % u64::from(passes)) as u32;
-            paths.push(Path { emitter, rank, index: base.wrapping_add(i), seed, pass });
         }
     }
     paths
 }
 
-/// ξ in (0, 1), never 0: drawn for a light once, then shifted by the radical inverse of the block, so that the
+/// The golden ratio's fraction: its multiples spread evenly over the unit interval.
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+/// ξ in (0, 1), never 0: drawn once, then shifted by the radical inverse of the block, so that the
 /// thresholds of successive batches are stratified.
 fn threshold(seed: u32, block: u32) -> f64 {
     let shift = f64::from(sequence::uniform(seed, 0, 0));
@@ -192,20 +260,20 @@ fn threshold(seed: u32, block: u32) -> f64 {
     ((xi * 16_777_216.0).floor() + 0.5) / 16_777_216.0
 }
 
-/// A stride near passes/φ that shares no divisor with `passes`.
-fn golden_stride(passes: u32) -> u32 {
+/// A stride near count/φ that shares no divisor with `count`.
+fn golden_stride(count: u32) -> u32 {
     let gcd = |mut a: u32, mut b: u32| {
         while b != 0 {
             (a, b) = (b, a % b);
         }
         a
     };
-    let near = (f64::from(passes) * 0.618_033_988_75) as u32;
-    (near.max(1)..).find(|s| gcd(*s, passes) == 1).unwrap_or(1)
+    let near = (f64::from(count) * GOLDEN) as u32;
+    (near.max(1)..).find(|s| gcd(*s, count) == 1).unwrap_or(1)
 }
 
 struct Traced<'w> {
-    light: Vpl<'w>,
+    light: Option<Vpl<'w>>,
     vertices: Vec<Vpl<'w>>,
     rays: u64,
 }
@@ -215,18 +283,21 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let number = |dimension: u32| settings.sequence.sample(path.index, dimension, path.seed);
     let pair = |dimension: u32| settings.sequence.pair(path.index, dimension, path.seed);
     let roulette = settings.absorption == Absorption::Roulette;
-    // A pass sees 1/E of the paths: what it gathers stands for all of them.
-    let share = settings.eye_passes() as f32;
+    // A class sees one of C shares of the paths: what it gathers stands for all of them.
+    let share = settings.classes() as f32;
 
     let (place, turn) = (pair(ledger::POINT), pair(ledger::EMISSION));
-    let point = emitter.point(place);
-    let light = Vpl {
-        position: point.position,
-        shine: point.shine,
-        intensity: point.intensity * (share / plan.expected(path.emitter, 0) as f32),
-        bound: plan.emitter_bound,
-        gloss: None,
-    };
+    let pointing = plan.expected(path.emitter, 0) * plan.pointing;
+    let light = (path.rank < pointing).then(|| {
+        let point = emitter.point(place);
+        Vpl {
+            position: point.position,
+            shine: point.shine,
+            intensity: point.intensity * (share / pointing as f32),
+            bound: plan.emitter_bound,
+            gloss: None,
+        }
+    });
 
     let mut vertices = Vec::new();
     let mut rays = 0;
@@ -234,7 +305,9 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut ray = Ray::new(start.origin, start.direction);
     let mut flux = start.flux;
     let mut last: Option<Surface<'w>> = None;
-    for generation in 1.. {
+    // A vertex of generation j is j + 2 segments from the eye at least.
+    let last_generation = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));
+    for generation in 1..=last_generation {
         let expected = plan.expected(path.emitter, generation);
         if path.rank >= expected {
             break;

@@ -14,6 +14,16 @@ pub struct Settings {
     pub paths: u32,
     /// Eye passes of one batch; `None` for one a light path [Keller97, §4.1].
     pub passes: Option<u32>,
+    /// n × m: neighbouring pixels that share one batch's light paths among them, so that each is lit by a class of them
+    /// [Wald et al. 2002, §4.2]. 1 × 1 lights every pixel by all.
+    pub interleave: [u32; 2],
+    /// Light points in one batch, drawn from the starts of its paths; `None` for all of them.
+    pub light_points: Option<u32>,
+    /// Virtual lights that each packet of pixels picks by what they would give it unshadowed; `None` for all.
+    pub picks: Option<u32>,
+    /// Segments of the longest paths whose light is counted, from the lamp to the eye; `None` for all of them. A limit is a
+    /// bias: it takes the light of longer paths from `vpl`, and counts for `vpl` alone.
+    pub longest: Option<u32>,
     /// How generations of particles thin out.
     pub absorption: Absorption,
     /// Where the numbers of the walk come from.
@@ -22,8 +32,13 @@ pub struct Settings {
     pub clamp: f32,
     /// r ≥ 2, independent randomisations among which the batches alternate; their spread is the error.
     pub replicates: u32,
+    /// Caustic photons that leave the lights in one batch, dealt to them like light paths; half as many again leave the
+    /// vertices of the walk.
+    pub photons: u32,
     /// Another seed, another picture of the same mean.
     pub seed: u32,
+    /// Also keep what is to be shown: each batch averaged between neighbours, see [`crate::filter`].
+    pub filter: bool,
     /// Also average albedo, normal, depth and object number of what the eye meets first.
     pub auxiliary: bool,
 }
@@ -32,6 +47,11 @@ impl Settings {
     /// Eye passes of one batch.
     pub fn eye_passes(&self) -> u32 {
         self.passes.unwrap_or(self.paths)
+    }
+
+    /// Classes that the light paths of a batch are dealt to: a number for each eye pass and each pixel of the n × m.
+    pub fn classes(&self) -> u32 {
+        self.eye_passes() * self.interleave[0] * self.interleave[1]
     }
 }
 

@@ -1,13 +1,20 @@
 //! The scene made traceable: hierarchy, emitters with their fixed shares, and the few figures that settings need.
-//! It changes only between frames and is shared, read-only, by everything that shades.
+//! It changes only between frames, by edits, and is shared, read-only, by everything that shades.
 
+mod bodies;
+mod edit;
+mod emitters;
 mod facet;
 mod finish;
+mod geometry;
+mod measure;
 mod mirrors;
 mod points;
 mod relief;
 mod surface;
 
+pub use bodies::{Bodies, Body, MOST_BODIES};
+pub use edit::Changes;
 pub use facet::{Facet, Facets};
 pub use finish::{Coat, Finish};
 pub use mirrors::{Mirror, Mirrors};
@@ -15,20 +22,14 @@ pub use points::Points;
 pub use surface::Surface;
 
 use crate::color::Rgb;
-use crate::geometry::{Hit, MeshGeometry, Placement, Ray, Screen, SurfacePoint, Tracer};
-use crate::light::{Arrival, Bounds, EmissiveSide, Emitter, GlowingTriangle, Sky};
-use crate::material::{Coverage, Sides};
-use crate::scene::{Least, Mesh, Scene};
+use crate::geometry::{Hit, Ray, SurfacePoint, Tracer};
+use crate::light::{Arrival, Bounds, Emitter};
+use crate::scene::{Least, Scene};
 use crate::sequence;
+use emitters::Emitters;
 use glam::Vec3;
-use std::collections::HashMap;
+use measure::{Extent, Figures};
 use std::sync::Arc;
-
-/// The least share of a two-sided emitter's particles that its worse side keeps: never 0, or its light were lost.
-const LEAST_SIDE: f32 = 0.05;
-
-/// Seed of the screens of half-there surfaces.
-const SCREEN: u32 = 0x5c4e_e111;
 
 /// A scene ready for light.
 pub struct World {
@@ -37,23 +38,17 @@ pub struct World {
     facets: Facets,
     mirrors: Mirrors,
     finishes: Vec<Finish>,
-    /// Any of the finishes has sharp lobes.
-    sharp: bool,
-    emitters: Vec<Emitter>,
-    /// p_ℓ: the share of the light paths that starts at each emitter; sums to 1.
-    shares: Vec<f32>,
-    /// Running sum of the shares.
-    cumulative: Vec<f32>,
-    /// (instance, material) → emitters of its front and its back.
-    sides: HashMap<(u32, u32), [Option<u32>; 2]>,
-    /// Emitters that rays can meet without hitting a triangle: spheres and discs.
-    lamps: Vec<u32>,
-    environment: Option<u32>,
-    /// Boxes around the emitters that have an area.
-    glow_boxes: Vec<[Vec3; 2]>,
-    bounds: Bounds,
-    area: f32,
-    mean_reflectance: f32,
+    /// What has sharp lobes.
+    bodies: Bodies,
+    /// Of each material whether it may have sharp lobes.
+    sharp: Vec<bool>,
+    /// Of each material its mean albedo.
+    albedos: Vec<f32>,
+    /// Of each instance.
+    extents: Vec<Extent>,
+    figures: Figures,
+    emitters: Emitters,
+    least: Least,
 }
 
 /// What a ray meets on its way to the first surface: a lamp's glow, or the environment behind everything.
@@ -70,62 +65,42 @@ pub struct Glow {
 }
 
 impl World {
-    /// Builds hierarchy and emitters.
+    /// Builds hierarchy and emitters, and gives those of the scene's emitters a share that have none yet.
     pub fn new(scene: Scene) -> World {
         let scene = Arc::new(scene);
-        let one_sided = |m: &Mesh| -> Vec<bool> {
-            m.materials.iter().map(|k| scene.materials[*k as usize].sides == Sides::FrontOnly).collect()
-        };
-        let one_sided: Vec<Vec<bool>> = scene.meshes.iter().map(one_sided).collect();
-        let mut least = Least::new(&scene);
-        let screened: Vec<Vec<bool>> = scene.meshes.iter().map(|m| screened(&scene, m, &mut least)).collect();
-        let meshes: Vec<MeshGeometry<'_>> = (scene.meshes.iter().zip(&one_sided).zip(&screened))
-            .map(|((m, one_sided), screened)| MeshGeometry {
-                positions: &m.positions,
-                triangles: &m.triangles,
-                one_sided,
-                screened,
-            })
-            .collect();
-        let placements: Vec<Placement> =
-            scene.instances.iter().map(|i| Placement { mesh: i.mesh, transform: i.transform }).collect();
-        let with_holes = scene.clone();
-        let screen =
-            Screen::new(move |instance, triangle, u, v| is_hole(&with_holes, instance, triangle, u, v));
-        let tracer = Tracer::with_screen(&meshes, &placements, &screen);
-        let mut finishes: Vec<Finish> = scene.materials.iter().map(Finish::from).collect();
-        for mesh in scene.meshes.iter().filter(|m| !m.colors.is_empty()) {
-            mesh.materials.iter().for_each(|k| finishes[*k as usize].painted = true);
-        }
+        let mut least = Least::default();
+        let tracer = geometry::tracer(&scene, &mut least);
         let facets = Facets::new(&scene);
+        let count = scene.materials.len();
         let mut world = World {
             tracer,
             mirrors: Mirrors::find(&facets, &scene.materials),
+            bodies: Bodies::default(),
             facets,
-            sharp: finishes.iter().zip(&scene.materials).any(|(f, m)| f.may_be_sharp(m, &mut least)),
-            finishes,
-            emitters: scene.lights.iter().filter(|l| l.is_sound()).map(Emitter::from).collect(),
-            shares: Vec::new(),
-            cumulative: Vec::new(),
-            sides: HashMap::new(),
-            lamps: Vec::new(),
-            environment: None,
-            glow_boxes: Vec::new(),
-            bounds: Bounds::default(),
-            area: 0.0,
-            mean_reflectance: 0.0,
+            finishes: scene.materials.iter().map(Finish::from).collect(),
+            sharp: vec![false; count],
+            albedos: vec![0.0; count],
+            extents: Vec::new(),
+            figures: Figures::default(),
+            emitters: Emitters::new(&scene.reference),
+            least,
             scene,
         };
-        world.measure_surfaces();
-        let lit = |e: &Emitter| e.area() > 0.0 && matches!(e, Emitter::Lamp(_));
-        world.lamps = (0..).zip(&world.emitters).filter(|(_, e)| lit(e)).map(|(k, _)| k).collect();
-        world.gather_emissive_sides();
-        if let Some(around) = environment(&world.scene) {
-            world.environment = Some(world.emitters.len() as u32);
-            world.emitters.push(around);
+        for mesh in world.scene.meshes.iter().filter(|m| !m.colors.is_empty()) {
+            mesh.materials.iter().for_each(|k| world.finishes[*k as usize].painted = true);
         }
-        world.glow_boxes = world.emitters.iter().filter_map(Emitter::extent).collect();
-        world.share_out();
+        (0..count as u32).for_each(|k| world.weigh(k));
+        world.find_bodies();
+        world.measure_all();
+        let World { scene, facets, finishes, emitters, .. } = &mut world;
+        (0..).zip(&scene.lights).for_each(|(number, light)| emitters.set_light(number, light));
+        let glowing = emitters.glowing(finishes);
+        for instance in 0..scene.instances.len() as u32 {
+            emitters.set_instance(instance, facets, finishes, &glowing);
+        }
+        emitters.set_environment(scene);
+        world.conclude();
+        world.emitters.take_changed();
         world
     }
 
@@ -139,39 +114,50 @@ impl World {
         &self.tracer
     }
 
-    /// All emitters, in an order fixed by the scene.
-    pub fn emitters(&self) -> &[Emitter] {
-        &self.emitters
+    /// Its triangles.
+    pub fn facets(&self) -> &Facets {
+        &self.facets
     }
 
-    /// p_ℓ of each emitter.
+    /// All emitters, in an order fixed by the scene, with [`Emitter::NONE`] where one is not there any more.
+    pub fn emitters(&self) -> &[Emitter] {
+        &self.emitters.all
+    }
+
+    /// p_ℓ, what each emitter has of the light paths, dark or not. They sum to 1 in a scene as it was loaded; what is
+    /// added brings its own.
     pub fn shares(&self) -> &[f32] {
-        &self.shares
+        &self.emitters.shares
+    }
+
+    /// The shares of those that are not dark, scaled to sum to 1: with what probability [`World::choose_emitter`] chooses each.
+    pub fn chances(&self) -> &[f32] {
+        &self.emitters.chances
     }
 
     /// The sphere around everything.
     pub fn bounds(&self) -> Bounds {
-        self.bounds
+        self.figures.bounds
     }
 
     /// Total surface area A [m²], each side of a surface counted once.
     pub fn area(&self) -> f32 {
-        self.area
+        self.figures.area
     }
 
     /// ρ̄ = Σ ρ_k A_k / Σ A_k, luminance of all lobes [Keller97, §3.2].
     pub fn mean_reflectance(&self) -> f32 {
-        self.mean_reflectance
+        self.figures.mean_reflectance
     }
 
     /// True if rays may pass through the glow of a sphere or disc.
     pub fn has_lamps(&self) -> bool {
-        !self.lamps.is_empty()
+        !self.emitters.lamps.is_empty()
     }
 
     /// True if rays that leave the scene find light.
     pub fn has_environment(&self) -> bool {
-        self.environment.is_some()
+        self.emitters.environment.is_some()
     }
 
     /// False only if no point of an emitter's area lies within `distance` of the box from `low` to `high`.
@@ -182,12 +168,17 @@ impl World {
             let gap = (*lo - high).max(low - *hi).max(Vec3::ZERO);
             gap.length_squared() <= distance * distance
         };
-        self.glow_boxes.len() > MANY || self.glow_boxes.iter().any(near)
+        self.emitters.boxes.len() > MANY || self.emitters.boxes.iter().any(near)
     }
 
     /// True if any surface has sharp lobes: without them there are no caustics and no mirrors.
     pub fn has_sharp_surfaces(&self) -> bool {
-        self.sharp
+        !self.bodies.all().is_empty()
+    }
+
+    /// What has sharp lobes, instance by instance.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
     }
 
     /// Its planar mirrors.
@@ -273,7 +264,7 @@ impl World {
 
     /// The emitter of the side of a surface that is looked at.
     pub fn emitter_of(&self, surface: &Surface<'_>) -> Option<u32> {
-        self.sides.get(&(surface.instance, surface.material)).and_then(|s| s[usize::from(!surface.front)])
+        self.emitters.of(surface.instance, surface.material).and_then(|s| s[usize::from(!surface.front)])
     }
 
     /// Density, in solid angle from `x`, with which next-event estimation finds the emitting side of a surface.
@@ -281,189 +272,75 @@ impl World {
         let Some(k) = self.emitter_of(surface) else { return 0.0 };
         let distance = (surface.position - x).length();
         let cosine = surface.normal.dot(surface.wo).abs();
-        let Emitter::Side(side) = &self.emitters[k as usize] else { return 0.0 };
-        self.shares[k as usize] * (distance * distance / (cosine * side.area_around(surface.triangle)))
+        let Emitter::Side(side) = &self.emitters.all[k as usize] else { return 0.0 };
+        let chance = self.emitters.chances[k as usize];
+        chance * (distance * distance / (cosine * side.area_around(surface.triangle)))
     }
 
     /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
     pub fn glows(&self, origin: Vec3, direction: Vec3, t_max: f32, mut see: impl FnMut(Glow)) {
-        for &k in &self.lamps {
-            let e = &self.emitters[k as usize];
+        let Emitters { all, chances, lamps, environment, .. } = &self.emitters;
+        for &k in lamps {
+            let e = &all[k as usize];
             if let Some((distance, radiance, cosine)) = e.met_by(origin, direction, t_max) {
-                let pdf = self.shares[k as usize] * e.pdf(origin, distance, cosine);
+                let pdf = chances[k as usize] * e.pdf(origin, distance, cosine);
                 see(Glow { radiance, pdf, distance, cosine });
             }
         }
-        if let (Some(k), true) = (self.environment, t_max == f32::INFINITY) {
-            let (radiance, pdf) = self.emitters[k as usize].around(direction);
-            let pdf = self.shares[k as usize] * pdf;
+        if let (Some(k), true) = (*environment, t_max == f32::INFINITY) {
+            let (radiance, pdf) = all[k as usize].around(direction);
+            let pdf = chances[k as usize] * pdf;
             see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
         }
     }
 
-    /// The emitter that `u` in [0, 1) chooses by its share, and the share; `None` where nothing shines.
+    /// The emitter that `u` in [0, 1) chooses, and the probability of that; `None` where nothing shines.
     pub fn choose_emitter(&self, u: f32) -> Option<(u32, f32)> {
-        let k = self.cumulative.partition_point(|c| *c <= u);
-        (k < self.emitters.len()).then(|| (k as u32, self.shares[k]))
+        self.emitters.choose(u).map(|k| (k, self.emitters.chances[k as usize]))
     }
 
-    fn measure_surfaces(&mut self) {
-        let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (mut area, mut reflected) = (0.0_f64, 0.0_f64);
-        let albedo = |(f, m): (&Finish, _)| f.mean_albedo(m, &self.scene);
-        let albedos: Vec<f32> = self.finishes.iter().zip(&self.scene.materials).map(albedo).collect();
-        for (_, _, facet) in self.facets.iter() {
-            let [a, b, c] = facet.corners;
-            let a2 = f64::from((b - a).cross(c - a).length());
-            if !a2.is_finite() {
-                continue;
-            }
-            for p in [a, b, c] {
-                (lo, hi) = (lo.min(p), hi.max(p));
-            }
-            area += 0.5 * a2;
-            reflected += 0.5 * a2 * f64::from(albedos[facet.material as usize]);
-        }
-        for light in self.scene.lights.iter().filter(|l| l.is_sound()) {
-            if let Some((p, r)) = light.extent() {
-                (lo, hi) = (lo.min(p - r), hi.max(p + r));
-            }
-        }
-        if lo.x <= hi.x {
-            // A little more than the box's sphere: distant light starts outside everything.
-            self.bounds = Bounds { center: (lo + hi) * 0.5, radius: 0.5 * (hi - lo).length() * 1.001 };
-        }
-        if self.bounds.radius == 0.0 {
-            // Over nothing at all the sky still has a share of the paths, and lights meters.
-            self.bounds.radius = 1.0;
-        }
-        self.area = area as f32;
-        self.mean_reflectance = if area > 0.0 { (reflected / area) as f32 } else { 0.0 };
+    /// Works out what follows from a material's finish alone.
+    fn weigh(&mut self, material: u32) {
+        let k = material as usize;
+        let (scene, finish) = (&self.scene, &self.finishes[k]);
+        let m = &scene.materials[k];
+        self.sharp[k] = finish.may_be_sharp(scene, m, &mut self.least);
+        self.albedos[k] = finish.mean_albedo(m, scene);
     }
 
-    fn gather_emissive_sides(&mut self) {
-        // Grouped in order of first appearance: emitters are numbered by the scene alone.
-        let mut order: Vec<(u32, u32)> = Vec::new();
-        let mut groups: HashMap<(u32, u32), (Vec<GlowingTriangle>, Vec<u32>)> = HashMap::new();
-        for (instance, triangle, facet) in self.facets.iter() {
-            if self.finishes[facet.material as usize].emission.is_black() || facet.normal == Vec3::ZERO {
-                continue;
-            }
-            let key = (instance, facet.material);
-            let (triangles, numbers) = groups.entry(key).or_insert_with(|| {
-                order.push(key);
-                Default::default()
-            });
-            triangles.push(GlowingTriangle { vertices: facet.corners, normal: facet.normal });
-            numbers.push(triangle);
-        }
-        for key in order {
-            let (front, numbers) = groups.remove(&key).unwrap_or_default();
-            let both = self.finishes[key.1 as usize].both_sides_glow;
-            let back =
-                front.iter().filter(|_| both).map(|t| GlowingTriangle { normal: -t.normal, ..*t }).collect();
-            let sides = [front, back].map(|triangles| emissive_side(&self.scene, key, triangles, &numbers));
-            let numbers = sides.map(|side| {
-                side.map(|side| {
-                    self.emitters.push(Emitter::Side(side));
-                    self.emitters.len() as u32 - 1
-                })
-            });
-            self.sides.insert(key, numbers);
-        }
+    /// Measures every instance.
+    fn measure_all(&mut self) {
+        let instances = 0..self.scene.instances.len() as u32;
+        self.extents = instances.map(|i| Extent::new(&self.facets, &self.albedos, i)).collect();
     }
 
-    /// Shares by power; the two sides of one surface split theirs by what a pilot finds before each of them.
-    fn share_out(&mut self) {
-        // Lights may be too bright for the numbers; shares are finite always.
-        let importance = |e: &Emitter| f64::from(e.importance(self.bounds).min(f32::MAX));
-        let mut weights: Vec<f64> = self.emitters.iter().map(importance).collect();
-        for sides in self.sides.values() {
-            if let [Some(front), Some(back)] = *sides {
-                let (f, b) = (self.openness(front), self.openness(back));
-                let both = weights[front as usize] + weights[back as usize];
-                let front_part =
-                    f64::from((f / (f + b).max(f32::MIN_POSITIVE)).clamp(LEAST_SIDE, 1.0 - LEAST_SIDE));
-                weights[front as usize] = both * front_part;
-                weights[back as usize] = both * (1.0 - front_part);
-            }
-        }
-        let total: f64 = weights.iter().sum();
-        let mut running = 0.0;
-        for w in weights {
-            running += w;
-            self.shares.push(if total > 0.0 { (w / total) as f32 } else { 0.0 });
-            self.cumulative.push(if total > 0.0 { (running / total) as f32 } else { 0.0 });
-        }
+    fn find_bodies(&mut self) {
+        self.bodies = Bodies::find(&self.facets, &self.finishes, &self.sharp, &self.mirrors);
     }
 
-    /// How freely an emitter's light spreads, 0 to 1: the mean free path of a few particles against the scene's size.
-    fn openness(&self, emitter: u32) -> f32 {
-        const PILOTS: u32 = 64;
-        let reach = 0.1 * self.area.sqrt();
-        let free = |i: u32| {
-            let u = [0, 1, 2, 3].map(|d| sequence::halton(i + 1, d));
-            let start = self.emitters[emitter as usize].emit(u, self.bounds);
-            let t =
-                self.tracer.closest(&Ray::new(start.origin, start.direction)).map_or(f32::INFINITY, |h| h.t);
-            (t / reach).min(1.0)
-        };
-        (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
+    /// Works out what is a sum over the whole scene, and the shares of who shines for the first time.
+    fn conclude(&mut self) {
+        self.figures = Figures::new(&self.extents, &self.scene.lights);
+        let Figures { bounds, area, .. } = self.figures;
+        let tracer = &self.tracer;
+        if self.emitters.share_out(bounds, |e| openness(e, tracer, bounds, area))
+            || self.emitters.reference.shares.len() != self.scene.reference.shares.len()
+        {
+            let reference = self.emitters.reference.clone();
+            self.change_scene(|scene| scene.reference = reference);
+        }
     }
 }
 
-/// Which triangles of a mesh may have holes.
-fn screened(scene: &Scene, mesh: &Mesh, least: &mut Least<'_>) -> Vec<bool> {
-    if mesh.materials.iter().all(|k| scene.materials[*k as usize].coverage == Coverage::Full) {
-        return Vec::new();
-    }
-    let mut known = HashMap::new();
-    let mut holes = |k: &u32| {
-        let material = &scene.materials[*k as usize];
-        *known.entry(*k).or_insert_with(|| least.may_have_holes(material, mesh))
+/// How freely an emitter's light spreads, 0 to 1: the mean free path of a few particles against the scene's size.
+fn openness(emitter: &Emitter, tracer: &Tracer, bounds: Bounds, area: f32) -> f32 {
+    const PILOTS: u32 = 64;
+    let reach = 0.1 * area.sqrt();
+    let free = |i: u32| {
+        let u = [0, 1, 2, 3].map(|d| sequence::halton(i + 1, d));
+        let start = emitter.emit(u, bounds);
+        let t = tracer.closest(&Ray::new(start.origin, start.direction)).map_or(f32::INFINITY, |h| h.t);
+        (t / reach).min(1.0)
     };
-    mesh.materials.iter().map(&mut holes).collect()
-}
-
-/// Does light pass through a hit of a surface that is not all there? What is there in part is a screen of holes finer
-/// than any ray: the bits of a hit say by their hash whether it met one.
-fn is_hole(scene: &Scene, instance: u32, triangle: u32, u: f32, v: f32) -> bool {
-    let Some(spot) = scene.spot(instance, triangle, u, v) else { return false };
-    let Some(material) = spot.mesh.materials.get(triangle as usize) else { return false };
-    let coverage = spot.coverage(&scene.materials[*material as usize]);
-    let place = [instance, triangle, u.to_bits(), v.to_bits()].into_iter().fold(SCREEN, sequence::hash);
-    coverage <= sequence::unit_f32(place)
-}
-
-/// One side of the triangles of an instance and material, by their numbers in the mesh.
-fn emissive_side(
-    scene: &Arc<Scene>,
-    (instance, material): (u32, u32),
-    triangles: Vec<GlowingTriangle>,
-    numbers: &[u32],
-) -> Option<EmissiveSide> {
-    let m = &scene.materials[material as usize];
-    if m.maps.emission.is_none() && m.coverage == Coverage::Full {
-        return EmissiveSide::new(m.emission, triangles);
-    }
-    let numbers = numbers[..triangles.len()].to_vec();
-    let means: Vec<Rgb> = numbers.iter().map(|k| scene.mean_emission(instance, *k, m)).collect();
-    let scene = scene.clone();
-    EmissiveSide::painted(triangles, numbers, &means, m.emission.luminance(), move |triangle, u, v| {
-        let spot = scene.spot(instance, triangle, u, v);
-        spot.map_or(Rgb::BLACK, |spot| spot.emission(&scene.materials[material as usize]))
-    })
-}
-
-/// What surrounds a scene.
-fn environment(scene: &Scene) -> Option<Emitter> {
-    let radiance = scene.environment;
-    match scene.environment_image.and_then(|k| scene.images.get(k as usize)) {
-        _ if radiance.is_black() => None,
-        None => Some(Emitter::Environment { radiance }),
-        Some(picture) => {
-            let up = scene.up.and_then(|up| up.try_normalize()).unwrap_or(Vec3::Y);
-            Sky::new(picture, radiance, up).map(|sky| Emitter::Sky(Arc::new(sky)))
-        }
-    }
+    (0..PILOTS).map(free).sum::<f32>() / PILOTS as f32
 }

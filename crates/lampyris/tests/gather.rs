@@ -77,7 +77,7 @@ fn sixteen_at_once_equal_one_by_one() {
             view(inside, target, 50.0, 8, 8)
         };
         let (width, height) = eye.size();
-        let mut tile = eye.tile(&world, Rect { x: 0, y: 0, width, height });
+        let mut tile = eye.tiles(&world, Rect { x: 0, y: 0, width, height }, [1, 1]).remove(0);
         eye.look(&Sampling { offset: [0.5, 0.5], index: k, seed: 7 }, &mut tile);
         for p in &tile.packets {
             for light in &lights {

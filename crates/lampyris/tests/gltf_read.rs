@@ -284,6 +284,7 @@ fn what_is_not_read_is_told() {
     assert!(told(&|g| g.json["animations"] = json!([{}])).contains("animations"));
     assert!(told(&|g| g.json["nodes"][0]["skin"] = json!(0)).contains("skins"));
     assert!(told(&|g| g.json["nodes"][0]["scale"] = json!([1, 0, 1])).contains("flattens"));
+    assert!(told(&|g| g.json["nodes"][0]["scale"] = json!([1, 1e30, 1])).contains("beyond 1e18"));
     assert!(told(&|g| g.json["nodes"][0]["rotation"] = json!([0, 0, 0, 0])).contains("quaternion"));
     assert!(told(&|g| g.json["meshes"][0]["primitives"][0]["mode"] = json!(1)).contains("lines"));
     assert!(told(&|g| g.json["meshes"][0]["primitives"][0]["targets"] = json!([{}])).contains("morph"));

@@ -281,6 +281,20 @@ fn openexr_headers_are_held_to_their_file() {
     let two = exr_header(small, 3, 3);
     let window = [b"dataWindow\0sesame\0".as_slice(), &16u32.to_le_bytes(), &[0; 16]].concat();
     assert!(!admitted(&[&two[..8], &window, &two[8..]].concat()) && admitted(&two));
+    // Without a type the decoder would read on, and find another window further down.
+    let untyped = [b"typ\0\0".as_slice(), &4u32.to_le_bytes(), &[0; 4]].concat();
+    assert!(!admitted(&[&two[..8], &untyped, &two[8..]].concat()));
+    // One block of sixteen rows holds a picture of one row, unless that asks for much more than the picture.
+    let wide = |columns: i32| [exr_header([0, 0, columns - 1, 0], 3, 4), vec![0; 1 << 20]].concat();
+    assert!(admitted(&wide(65_536)));
+    let tiled = |edge: u32| {
+        let mut file = exr_header(small, 3, 3);
+        let tiles = [b"tiles\0tiledesc\0".as_slice(), &9u32.to_le_bytes()].concat();
+        let description = [tiles, edge.to_le_bytes().to_vec(), edge.to_le_bytes().to_vec(), vec![0]].concat();
+        file.splice(8..8, description);
+        file
+    };
+    assert!(admitted(&tiled(1024)) && !admitted(&tiled(2048)), "12 bytes a pixel, 16 MiB");
     // 10 000 rows of single blocks have a table of 80 000 bytes.
     let tall = exr_header([0, 0, 0, 9_999], 0, 3);
     let padded = |length: usize| [tall.clone(), vec![0; length - tall.len()]].concat();

@@ -86,7 +86,7 @@ impl Numbers {
     }
 }
 
-/// The visible points of one eye pass in a rectangle of the picture.
+/// The visible points of one eye pass in a rectangle of the picture, or of one class of its pixels.
 #[derive(Clone)]
 pub struct Tile<'w> {
     /// Where.
@@ -117,30 +117,42 @@ impl Eye {
         }
     }
 
+    /// Edge of a pixel where it shows `position` [m]; nothing for meters.
+    pub fn pixel_size(&self, position: Vec3) -> f32 {
+        match self {
+            Eye::Camera(view) => (position - view.eye()).length() * view.pixel_size(),
+            Eye::Meters(_) => 0.0,
+        }
+    }
+
     /// The numbers of a pixel's sample.
     pub fn numbers(&self, x: u32, y: u32, sampling: &Sampling) -> Numbers {
         let pixel = y.wrapping_mul(self.size().0).wrapping_add(x);
         Numbers { index: sampling.index, seed: sequence::hash(sampling.seed, pixel) }
     }
 
-    /// The packets of a rectangle of pixels, as yet without visible points.
-    pub fn tile<'w>(&self, world: &'w World, rect: Rect) -> Tile<'w> {
+    /// The packets of a rectangle of pixels, as yet without visible points: a tile for each class of the n × m pixels that
+    /// are interleaved, row by row. The rectangle begins at a multiple of n × m.
+    pub fn tiles<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2]) -> Vec<Tile<'w>> {
         // Meters lie in one row: there a packet is a run of sixteen.
-        let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES, 1) };
-        let mut packets = Vec::new();
-        for by in (0..rect.height).step_by(bh) {
-            for bx in (0..rect.width).step_by(bw) {
-                let mut pixels = [u32::MAX; LANES];
-                for (lane, pixel) in pixels.iter_mut().enumerate() {
-                    let (x, y) = (bx + (lane % bw) as u32, by + (lane / bw) as u32);
-                    if x < rect.width && y < rect.height {
-                        *pixel = y * rect.width + x;
-                    }
-                }
-                packets.push(Packet::new(world, rect, pixels));
-            }
-        }
-        Tile { rect, packets, rays: 0 }
+        let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
+        let classes = (0..m).flat_map(|cy| (0..n).map(move |cx| (cx, cy)));
+        let packet = |left: u32, top: u32| {
+            let pixels = std::array::from_fn(|lane| {
+                let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
+                if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
+            });
+            Packet::new(world, rect, pixels)
+        };
+        let blocks = |from: u32, to: u32, step: u32| (from..to).step_by(step as usize);
+        classes
+            .map(|(cx, cy)| {
+                let rows = blocks(cy, rect.height, bh * m);
+                let packets =
+                    rows.flat_map(|top| blocks(cx, rect.width, bw * n).map(move |left| (left, top)));
+                Tile { rect, packets: packets.map(|(left, top)| packet(left, top)).collect(), rays: 0 }
+            })
+            .collect()
     }
 
     /// Sends the eye paths of one pass through a tile.

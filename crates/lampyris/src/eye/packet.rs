@@ -7,6 +7,7 @@ use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
 use crate::scene::View;
+use crate::sequence;
 use crate::settings::Rays;
 use crate::world::{Finish, Surface, World};
 use glam::Vec3;
@@ -56,7 +57,7 @@ pub struct Packet<'w> {
     pub shading: Vectors,
     /// Geometric normals on the side of the eye.
     pub geometric: Vectors,
-    /// ρ of the Lambertian lanes.
+    /// ρ of the Lambertian lanes; of others the albedo of the dull lobes at normal incidence.
     pub reflectance: [Rgb; LANES],
     /// What each vertex' radiance is multiplied by on its way to the eye.
     pub throughput: [Rgb; LANES],
@@ -81,7 +82,7 @@ enum Ends {
 
 impl<'w> Packet<'w> {
     /// No paths as yet; `pixels` as in [`Packet::pixels`] for a tile of `rect`.
-    pub(super) fn new(world: &'w World, rect: Rect, pixels: [u32; LANES]) -> Packet<'w> {
+    pub fn new(world: &'w World, rect: Rect, pixels: [u32; LANES]) -> Packet<'w> {
         let inside = |k: usize| if pixels[k] == u32::MAX { (0, 0) } else { rect.pixel(pixels[k]) };
         Packet {
             world,
@@ -130,6 +131,16 @@ impl<'w> Packet<'w> {
         let s = self.world.surface(lane(directions, k), &hit);
         let albedo = s.finish.sharp + s.finish.dull;
         Some(First { albedo, normal: s.shading, depth: hit.t, instance: s.instance })
+    }
+
+    /// A number that tells the surface of a live lane from others: of its instance and material.
+    pub fn alike(&self, k: usize) -> u32 {
+        let Ends::Camera { hits, last, .. } = &self.ends else { return 0 };
+        let (instance, triangle) = match &last[k] {
+            Some((_, hit)) => (hit.instance, hit.triangle),
+            None => (hits.instance[k], hits.triangle[k]),
+        };
+        sequence::hash(instance, self.world.facets().material(instance, triangle))
     }
 
     /// The box around the points of live lanes.
@@ -220,10 +231,8 @@ impl<'w> Packet<'w> {
     #[inline]
     fn note(&mut self, k: usize, finish: &Finish) {
         self.live |= 1 << k;
-        if let Some(rho) = finish.lambertian {
-            self.lambertian |= 1 << k;
-            self.reflectance[k] = rho;
-        }
+        self.reflectance[k] = finish.lambertian.unwrap_or(finish.dull);
+        self.lambertian |= u16::from(finish.lambertian.is_some()) << k;
         self.opaque |= u16::from(!finish.transmits) << k;
     }
 }

@@ -6,6 +6,7 @@ pub mod frame;
 mod offset;
 mod packet;
 pub mod ray;
+mod replace;
 mod screen;
 mod simd_dispatch;
 mod tracer;

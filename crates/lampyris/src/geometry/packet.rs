@@ -56,7 +56,7 @@ impl Tracer {
     pub fn closest16(&self, origin: Vec3, directions: &[[f32; LANES]; 3], live: u16) -> Hits16 {
         let live = if sound_origin(origin) { live } else { 0 };
         let mut best = PacketBest::none();
-        self.flat.closest16(self.kernel, origin, directions, live, &mut best);
+        self.flat.tree.closest16(self.kernel, origin, directions, live, &mut best);
         if self.has_placed() {
             for i in lanes(live).filter(|&i| sound_direction(lane(directions, i))) {
                 let mut single = best.lane(i);
@@ -87,7 +87,7 @@ impl Tracer {
         occluder: &mut Occluder,
     ) -> u16 {
         let live = if sound_origin(origin) { live } else { 0 };
-        let mut blocked = self.flat.occluded16(self.kernel, origin, targets, live, &mut occluder.0);
+        let mut blocked = self.flat.tree.occluded16(self.kernel, origin, targets, live, &mut occluder.0);
         if self.has_placed() {
             for i in lanes(live & !blocked) {
                 let ray = Ray::between(origin, lane(targets, i));

@@ -1,8 +1,10 @@
 //! The scene made traceable: what a ray meets first, and whether two points see each other. Meshes used once lie in
 //! one tree in world space; meshes used more often keep a tree each, below a tree over their instances. It knows
-//! neither materials nor light, and a change of the scene builds it anew.
+//! neither materials nor light. How one instance comes to stand elsewhere is said in `replace`.
 
-use super::bvh::{Best, Bounds, End, Hierarchy, Item, Kernel, Placed, Plane, Primitive, Slab, Tree, build};
+use super::bvh::{
+    Best, Bounds, End, Grafted, Hierarchy, Item, Kernel, Placed, Plane, Primitive, Slab, Tree, build,
+};
 use super::{Hit, Ray, Screen};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -33,15 +35,18 @@ pub struct Placement {
 #[derive(Clone, Debug)]
 pub struct Tracer {
     pub(super) kernel: Kernel,
-    pub(super) flat: Tree,
-    shared: Vec<Shared>,
+    /// In world space: all meshes that were used once, and what was placed anew since.
+    pub(super) flat: Grafted,
+    /// Of each mesh the tree that its instances share; `u32::MAX` for none.
+    pub(super) trees: Vec<u32>,
+    pub(super) shared: Vec<Shared>,
     top: Hierarchy,
-    placed: Vec<Instance>,
+    pub(super) placed: Vec<Instance>,
     bounds: Bounds,
     report: Report,
 }
 
-/// What was built and what was left out.
+/// What was built at first, and what was left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// Triangles that can be hit, counted once for every instance.
@@ -54,15 +59,17 @@ pub struct Report {
 
 /// Tree of a mesh that several instances share, in its own space.
 #[derive(Clone, Debug)]
-struct Shared {
-    tree: Tree,
+pub(super) struct Shared {
+    pub(super) tree: Tree,
     triangles: u64,
 }
 
 #[derive(Clone, Debug)]
-struct Instance {
-    place: Placed,
+pub(super) struct Instance {
+    pub(super) place: Placed,
     tree: u32,
+    /// The box around it.
+    bounds: Bounds,
     /// Rows of the inverse matrix, in f64 so that only the rounding of the placed corners is left.
     inverse: [[f64; 3]; 3],
     /// Bounds that rounding, carried back into mesh space.
@@ -83,7 +90,7 @@ impl Tracer {
         let mut uses = vec![0u32; meshes.len()];
         let mut report = Report::default();
         let usable: Vec<(u32, &Placement)> =
-            (0..).zip(instances).filter(|(_, i)| usable(i, meshes)).collect();
+            (0..).zip(instances).filter(|(_, i)| (i.mesh as usize) < meshes.len() && usable(i)).collect();
         report.dropped_instances = (instances.len() - usable.len()) as u64;
         for (_, instance) in &usable {
             uses[instance.mesh as usize] += 1;
@@ -113,27 +120,45 @@ impl Tracer {
             .collect();
 
         let mut placed = Vec::new();
-        let mut boxes = Vec::new();
         for (number, placement) in usable.iter().filter(|(_, i)| uses[i.mesh as usize] > 1) {
             let tree = trees[placement.mesh as usize];
             let of = &shared[tree as usize];
             report.triangles += of.triangles;
             report.dropped_triangles += meshes[placement.mesh as usize].triangles.len() as u64 - of.triangles;
             if !of.tree.is_empty() {
-                let (instance, bounds) =
-                    Instance::new(*number, tree, &of.tree.bounds(), &placement.transform);
-                placed.push(instance);
-                boxes.push(bounds);
+                placed.push(Instance::new(*number, tree, &of.tree.bounds(), &placement.transform));
             }
         }
+        let mut tracer = Tracer {
+            kernel: Kernel::detect(),
+            flat: Grafted::new(flat),
+            trees,
+            shared,
+            top: Hierarchy::default(),
+            placed: Vec::new(),
+            bounds: Bounds::default(),
+            report,
+        };
+        tracer.raise(placed);
+        tracer
+    }
+
+    /// Builds the tree over the instances of shared meshes.
+    pub(super) fn raise(&mut self, placed: Vec<Instance>) {
         let mut items: Vec<Item> =
-            (0..).zip(&boxes).map(|(index, bounds)| Item { bounds: *bounds, index }).collect();
+            (0..).zip(&placed).map(|(index, i)| Item { bounds: i.bounds, index }).collect();
         let (top, leaves) = build(&mut items, 1);
         // Leaves of the top hierarchy hold one instance each: keep the instances in their order.
         let instance = |leaf: std::ops::Range<u32>| placed[items[leaf.start as usize].index as usize].clone();
-        let placed = leaves.into_iter().map(instance).collect();
-        let bounds = boxes.iter().fold(flat.bounds(), |a, b| a.union(b));
-        Tracer { kernel: Kernel::detect(), flat, shared, top, placed, bounds, report }
+        self.placed = leaves.into_iter().map(instance).collect();
+        self.top = top;
+        self.measure();
+    }
+
+    /// The box around everything; what was taken out of a tree may still count.
+    pub(super) fn measure(&mut self) {
+        let boxes = self.placed.iter().map(|i| i.bounds);
+        self.bounds = boxes.fold(self.flat.tree.bounds(), |a, b| a.union(&b));
     }
 
     /// The nearest hit with 0 < t < `t_max`; of equally near ones that of the smallest instance, then triangle. Rays
@@ -143,7 +168,7 @@ impl Tracer {
             return None;
         }
         let mut best = Best::none(ray.t_max);
-        self.flat.closest(self.kernel, ray, None, &mut best);
+        self.flat.tree.closest(self.kernel, ray, None, &mut best);
         self.closest_placed(ray, &mut best);
         best.hit()
     }
@@ -176,7 +201,7 @@ impl Tracer {
     }
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
-        self.flat.occluded(self.kernel, ray, end, None) || self.placed_stop(ray, end)
+        self.flat.tree.occluded(self.kernel, ray, end, None) || self.placed_stop(ray, end)
     }
 
     /// Does a shared mesh block the ray?
@@ -196,12 +221,12 @@ impl Tracer {
         hit
     }
 
-    /// The box around everything, `None` if there is nothing.
+    /// A box around everything, `None` if there is nothing.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
         (!self.bounds.is_empty()).then_some((self.bounds.lower, self.bounds.upper))
     }
 
-    /// What was built and what was left out.
+    /// What was built at first, and what was left out.
     pub fn report(&self) -> Report {
         self.report
     }
@@ -229,7 +254,7 @@ impl Tracer {
 }
 
 impl Instance {
-    fn new(number: u32, tree: u32, mesh: &Bounds, transform: &Affine3A) -> (Instance, Bounds) {
+    pub(super) fn new(number: u32, tree: u32, mesh: &Bounds, transform: &Affine3A) -> Instance {
         let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { mesh.lower[axis] } else { mesh.upper[axis] };
             transform.transform_point3(Vec3::new(pick(0), pick(1), pick(2)))
@@ -251,7 +276,7 @@ impl Instance {
             transform: *transform,
             mirrored: transform.matrix3.determinant() < 0.0,
         };
-        (Instance { place, tree, inverse, error }, bounds)
+        Instance { place, tree, bounds, inverse, error }
     }
 
     /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
@@ -296,18 +321,15 @@ pub(super) fn sound_direction(direction: Vec3) -> bool {
     (f32::MIN_POSITIVE..=1.0 / f32::MIN_POSITIVE).contains(&length)
 }
 
-fn usable(instance: &Placement, meshes: &[MeshGeometry<'_>]) -> bool {
+/// Can the transform be undone?
+pub(super) fn usable(instance: &Placement) -> bool {
     let determinant = instance.transform.matrix3.determinant();
     let inverse = instance.transform.inverse();
-    (instance.mesh as usize) < meshes.len()
-        && instance.transform.is_finite()
-        && determinant != 0.0
-        && determinant.is_finite()
-        && inverse.is_finite()
+    instance.transform.is_finite() && determinant != 0.0 && determinant.is_finite() && inverse.is_finite()
 }
 
 /// A mesh in its place, triangle by triangle.
-struct Moved<'a> {
+pub(super) struct Moved<'a> {
     mesh: &'a MeshGeometry<'a>,
     instance: u32,
     transform: &'a Affine3A,
@@ -315,7 +337,7 @@ struct Moved<'a> {
 }
 
 impl<'a> Moved<'a> {
-    fn new(mesh: &'a MeshGeometry<'a>, instance: u32, transform: &'a Affine3A) -> Moved<'a> {
+    pub(super) fn new(mesh: &'a MeshGeometry<'a>, instance: u32, transform: &'a Affine3A) -> Moved<'a> {
         Moved { mesh, instance, transform, mirrored: transform.matrix3.determinant() < 0.0 }
     }
 
@@ -338,15 +360,15 @@ impl<'a> Moved<'a> {
 }
 
 /// The triangles of several meshes, counted through.
-struct Soup<'a> {
+pub(super) struct Soup<'a> {
     meshes: Vec<Moved<'a>>,
     /// Number of the first triangle of each.
     first: Vec<u32>,
-    count: u32,
+    pub(super) count: u32,
 }
 
 impl<'a> Soup<'a> {
-    fn new(meshes: Vec<Moved<'a>>) -> Soup<'a> {
+    pub(super) fn new(meshes: Vec<Moved<'a>>) -> Soup<'a> {
         let mut count = 0;
         let first = meshes
             .iter()
@@ -359,7 +381,7 @@ impl<'a> Soup<'a> {
         Soup { meshes, first, count }
     }
 
-    fn primitive(&self, k: u32) -> Option<Primitive> {
+    pub(super) fn primitive(&self, k: u32) -> Option<Primitive> {
         // The last that begins there or before: those without triangles begin where the next one does.
         let mesh = self.first.partition_point(|first| *first <= k) - 1;
         self.meshes[mesh].primitive(k - self.first[mesh])

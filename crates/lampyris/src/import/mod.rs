@@ -12,6 +12,7 @@ mod point_tree;
 mod polygon;
 mod report;
 
+use crate::color::BRIGHTEST;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::texture::Image;
@@ -37,9 +38,6 @@ pub struct Options {
     /// Facets around a full circle where a format has curved shapes: a multiple of 4, from 4 to 4096.
     pub circle_steps: u32,
 }
-
-/// Brightest that a file may ask for [cd/m², cd or lx]: a hundred million suns, so that fluxes are still finite.
-const BRIGHTEST: f32 = 1e18;
 
 /// Facets around a circle unless asked otherwise, as many as the usual converters of MGF make.
 pub const CIRCLE_STEPS: u32 = 20;

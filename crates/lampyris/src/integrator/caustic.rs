@@ -1,13 +1,16 @@
 //! Light that reaches the first dull vertex over a sharp one, L (S|D)* S D S* E, unless that is a single planar mirror
-//! (the part *mirror*): by the oracle restricted to these paths. Caustics of point, spot and directional lights cannot
-//! be found this way and are missing.
+//! (the part *mirror*): by photons that lie around it, of any kind of light.
+//!
+//! Meters hang in the air where no photon stays. They take the oracle, the part *caustic-path*, which cannot find
+//! caustics of point, spot and directional lights.
 
-use super::path::{Scope, Start, trace};
-use super::{Integrator, Pass, STRIDE, turn_of};
+use super::{Integrator, Pass, caustic_path};
 use crate::color::Rgb;
-use crate::eye::{Numbers, Tile};
+use crate::eye::{Eye, Numbers, Tile};
+use crate::geometry::{lane, lanes};
 use crate::settings::Rays;
-use crate::world::{Surface, World};
+use crate::world::Surface;
+use std::f32::consts::FRAC_1_PI;
 
 /// Paths L (S|D)* S D S* E, less *mirror*'s.
 pub(super) struct Caustic;
@@ -18,34 +21,41 @@ impl Integrator for Caustic {
     }
 
     fn paths(&self) -> &'static str {
-        "L (S|D)* S D S* E, less mirror, and less L_point S+ D S* E"
+        "L (S|D)* S D S* E, less mirror"
+    }
+
+    fn gathers_photons(&self) -> bool {
+        true
+    }
+
+    fn is_smooth(&self) -> bool {
+        false
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
-        if !pass.world.has_sharp_surfaces() {
-            return;
-        }
-        for packet in &tile.packets {
-            for k in packet.lanes() {
-                let numbers = packet.numbers[k];
-                if turn_of(pass, numbers.seed >> 16)
-                    && let Some(x) = packet.visible(k)
-                {
-                    let found = at(pass.world, &x.surface, numbers.branch(b's'.into()), &mut rays.path);
-                    out[packet.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
+        let Some(photons) = pass.photons.filter(|_| matches!(pass.eye, Eye::Camera(_))) else {
+            return caustic_path::tile(pass, tile, out, rays);
+        };
+        for p in &tile.packets {
+            let plain = p.live & p.lambertian;
+            for k in lanes(plain) {
+                let e = photons.irradiance(lane(&p.position, k), lane(&p.geometric, k));
+                out[p.pixels[k] as usize] += p.throughput[k] * p.reflectance[k] * e * FRAC_1_PI;
+            }
+            for k in lanes(p.live & !plain) {
+                if let Some(x) = p.visible(k) {
+                    out[p.pixels[k] as usize] += x.throughput * photons.radiance(&x.surface);
                 }
             }
         }
     }
 }
 
-/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.
-pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
-    if !world.has_sharp_surfaces() {
-        return Rgb::BLACK;
+/// Radiance that the dull lobes of `x`, a point of the scene, send on of light that comes over a sharp vertex, by paths
+/// that are not *mirror*'s: by photons where there are any, else by the oracle.
+pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
+    match pass.photons {
+        Some(photons) => photons.radiance(x),
+        None => caustic_path::at(pass.world, x, numbers, rays),
     }
-    let mut traced = Rays::default();
-    let found = trace(world, Start::Surface(*x), Scope::Caustics, numbers, &mut traced);
-    *rays += traced.path;
-    found.caustic
 }

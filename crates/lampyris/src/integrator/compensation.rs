@@ -30,6 +30,10 @@ impl Integrator for Compensation {
         "L (S|D)* D D S* E, (G - b)+"
     }
 
+    fn gathers_photons(&self) -> bool {
+        true
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         if pass.plan.bound == f32::INFINITY {
             return;
@@ -78,7 +82,7 @@ pub(super) fn beyond_clamp<'w>(
         let branch = numbers.branch(vertex + 1);
         let reflected = direct::at(pass, &y, branch, rays)
             + mirror::at(pass, &y, branch.branch(b'm'.into()), rays)
-            + caustic::at(world, &y, branch, &mut rays.compensation)
+            + caustic::at(pass, &y, branch, &mut rays.compensation)
             + gather::from_some_lights(
                 world,
                 &y,

@@ -18,6 +18,10 @@ impl Integrator for Emission {
         "L S* E"
     }
 
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
     fn add<'w>(&self, _pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], _rays: &mut Rays) {
         for packet in &tile.packets {
             for k in packet.lanes() {

@@ -4,12 +4,14 @@
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
 use super::Pass;
+use super::pick::pick;
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
-use crate::geometry::{Ray, lanes};
+use crate::geometry::{Kernel, Ray, Wide, lanes};
 use crate::light::Shine;
 use crate::material::Class;
 use crate::particle::Vpl;
+use crate::sequence::ledger::eye as ledger;
 use crate::world::{Surface, World};
 use glam::Vec3;
 use std::f32::consts::FRAC_1_PI;
@@ -120,10 +122,29 @@ pub(super) fn some_of<'a, 'w>(
 /// Adds what every point of a tile receives from a list of lights.
 pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
     for p in tile.packets.iter().filter(|p| p.live != 0) {
-        let radiance = packet(pass.world, p, lights, rays);
-        for k in lanes(p.live) {
-            out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
-        }
+        add(p, &packet(pass.world, p, lights, rays), out);
+    }
+}
+
+/// Adds what every point of a tile receives from the virtual lights of a pass, as many of them as settings allow.
+pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Rgb], rays: &mut u64) {
+    let Some(most) = pass.settings.picks.filter(|most| (*most as usize) < pass.vpls.len()) else {
+        return self::tile(pass, tile, pass.vpls, out, rays);
+    };
+    let world = pass.world;
+    for p in tile.packets.iter().filter(|p| p.live != 0) {
+        let mut gathered = Gathered::new(p);
+        let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
+        pick(world.tracer().kernel(), p, pass.beacons, most, u, |k, factor| {
+            gathered.add(world, &pass.vpls[k], factor, rays);
+        });
+        add(p, &gathered.radiance(), out);
+    }
+}
+
+fn add(p: &Packet<'_>, radiance: &[Rgb; LANES], out: &mut [Rgb]) {
+    for k in lanes(p.live) {
+        out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
     }
 }
 
@@ -150,80 +171,149 @@ impl<'p, 'w> Points<'p, 'w> {
 
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
-    let mut points = Points::new(p);
-    let mut irradiance = [Rgb::BLACK; LANES];
-    let mut radiance = [Rgb::BLACK; LANES];
-    for light in lights {
+    let mut gathered = Gathered::new(p);
+    lights.iter().for_each(|light| gathered.add(world, light, 1.0, rays));
+    gathered.radiance()
+}
+
+/// What the points of a packet have received so far.
+struct Gathered<'p, 'w> {
+    packet: &'p Packet<'w>,
+    points: Points<'p, 'w>,
+    /// Of the Lambertian ones, by colour and lane.
+    irradiance: [[f32; LANES]; 3],
+    /// Of the others.
+    radiance: [Rgb; LANES],
+}
+
+impl<'p, 'w> Gathered<'p, 'w> {
+    fn new(packet: &'p Packet<'w>) -> Gathered<'p, 'w> {
+        let radiance = [Rgb::BLACK; LANES];
+        Gathered { packet, points: Points::new(packet), irradiance: [[0.0; LANES]; 3], radiance }
+    }
+
+    /// Adds `factor` times the light of one light.
+    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, rays: &mut u64) {
+        let p = self.packet;
         let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
-        let (g, lit) = geometry_terms(light, p, together);
+        let kernel = world.tracer().kernel();
+        let (g, lit) = geometry_terms(kernel, light, p, together);
         if lit != 0 {
             *rays += u64::from(lit.count_ones());
             let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
             let plain = if light.gloss.is_none() { p.lambertian } else { 0 };
-            for k in lanes(seen & plain) {
-                irradiance[k] += light.intensity * g[k];
-            }
+            let intensity = light.intensity * factor;
+            kernel.run(Sum { into: &mut self.irradiance, intensity, g: &g, of: seen & plain });
             for k in lanes(seen & !plain) {
-                if let Some(x) = points.get(k) {
-                    radiance[k] += reflected(&x.surface, light, g[k]);
+                if let Some(x) = self.points.get(k) {
+                    self.radiance[k] += reflected(&x.surface, light, g[k]) * factor;
                 }
             }
         }
         for k in lanes(p.live & !together) {
-            if let Some(x) = points.get(k) {
-                radiance[k] += from_light(world, &x.surface, light, rays);
+            if let Some(x) = self.points.get(k) {
+                self.radiance[k] += from_light(world, &x.surface, light, rays) * factor;
             }
         }
     }
-    for k in lanes(p.lambertian) {
-        radiance[k] += p.reflectance[k] * irradiance[k] * FRAC_1_PI;
+
+    fn radiance(self) -> [Rgb; LANES] {
+        let (p, mut radiance) = (self.packet, self.radiance);
+        let [r, g, b] = &self.irradiance;
+        for k in lanes(p.lambertian) {
+            radiance[k] += p.reflectance[k] * Rgb::new(r[k], g[k], b[k]) * FRAC_1_PI;
+        }
+        radiance
     }
-    radiance
+}
+
+/// Adds a light's intensity times its geometry terms to some lanes.
+struct Sum<'a> {
+    into: &'a mut [[f32; LANES]; 3],
+    intensity: Rgb,
+    g: &'a [f32; LANES],
+    of: u16,
+}
+
+impl Wide for Sum<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Rgb { r, g, b } = self.intensity;
+        for k in 0..LANES {
+            let term = if self.of >> k & 1 == 1 { self.g[k] } else { 0.0 };
+            self.into[0][k] += r * term;
+            self.into[1][k] += g * term;
+            self.into[2][k] += b * term;
+        }
+    }
 }
 
 /// `geometry_term` for sixteen opaque reflectors, and the lanes where it is not zero.
-pub(super) fn geometry_terms(light: &Vpl<'_>, p: &Packet<'_>, of: u16) -> ([f32; LANES], u16) {
-    if of == 0 {
-        return ([0.0; LANES], 0);
-    }
-    let y = light.position;
-    let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    let mut cos_y = [1.0; LANES];
-    let n = match light.shine {
-        Shine::Lambert(n) => n,
-        Shine::Beam(axis, _) => axis,
-        _ => Vec3::ZERO,
-    };
-    for k in 0..LANES {
-        let (dx, dy, dz) = (y.x - p.position[0][k], y.y - p.position[1][k], y.z - p.position[2][k]);
-        d2[k] = dx * dx + dy * dy + dz * dz;
-        cos_x[k] = dx * p.shading[0][k] + dy * p.shading[1][k] + dz * p.shading[2][k];
-        front[k] = dx * p.geometric[0][k] + dy * p.geometric[1][k] + dz * p.geometric[2][k];
-        cos_y[k] = -(dx * n.x + dy * n.y + dz * n.z);
-    }
-    let mut g = [0.0; LANES];
-    match light.shine {
-        Shine::Lambert(_) => {
-            for k in 0..LANES {
-                g[k] = (cos_x[k].max(0.0) * cos_y[k].max(0.0) / (d2[k] * d2[k])).min(light.bound);
-            }
+pub(super) fn geometry_terms(
+    kernel: Kernel,
+    light: &Vpl<'_>,
+    packet: &Packet<'_>,
+    of: u16,
+) -> ([f32; LANES], u16) {
+    kernel.run(Terms { light, packet, of })
+}
+
+struct Terms<'a, 'l, 'w> {
+    light: &'a Vpl<'l>,
+    packet: &'a Packet<'w>,
+    of: u16,
+}
+
+impl Wide for Terms<'_, '_, '_> {
+    type Out = ([f32; LANES], u16);
+
+    #[inline(always)]
+    fn run(self) -> ([f32; LANES], u16) {
+        let Terms { light, packet: p, of } = self;
+        let mut g = [0.0; LANES];
+        if of == 0 {
+            return (g, 0);
         }
-        Shine::Isotropic => {
-            for k in 0..LANES {
-                g[k] = cos_x[k].max(0.0) / (d2[k] * d2[k].sqrt());
-            }
+        let y = light.position;
+        let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let mut cos_y = [1.0; LANES];
+        let n = match light.shine {
+            Shine::Lambert(n) => n,
+            Shine::Beam(axis, _) => axis,
+            _ => Vec3::ZERO,
+        };
+        for k in 0..LANES {
+            let (dx, dy, dz) = (y.x - p.position[0][k], y.y - p.position[1][k], y.z - p.position[2][k]);
+            d2[k] = dx * dx + dy * dy + dz * dz;
+            cos_x[k] = dx * p.shading[0][k] + dy * p.shading[1][k] + dz * p.shading[2][k];
+            front[k] = dx * p.geometric[0][k] + dy * p.geometric[1][k] + dz * p.geometric[2][k];
+            cos_y[k] = -(dx * n.x + dy * n.y + dz * n.z);
         }
-        Shine::Beam(_, beam) => {
-            for k in 0..LANES {
-                let d = d2[k].sqrt();
-                g[k] = cos_x[k].max(0.0) / (d2[k] * d) * beam.profile(cos_y[k] / d);
+        match light.shine {
+            Shine::Lambert(_) => {
+                for k in 0..LANES {
+                    g[k] = (cos_x[k].max(0.0) * cos_y[k].max(0.0) / (d2[k] * d2[k])).min(light.bound);
+                }
             }
+            Shine::Isotropic => {
+                for k in 0..LANES {
+                    g[k] = cos_x[k].max(0.0) / (d2[k] * d2[k].sqrt());
+                }
+            }
+            Shine::Beam(_, beam) => {
+                for k in 0..LANES {
+                    let d = d2[k].sqrt();
+                    g[k] = cos_x[k].max(0.0) / (d2[k] * d) * beam.profile(cos_y[k] / d);
+                }
+            }
+            Shine::Distant => {}
         }
-        Shine::Distant => {}
+        let mut lit = 0u16;
+        for k in 0..LANES {
+            lit |= u16::from(g[k] > 0.0 && front[k] > 0.0) << k;
+        }
+        (g, lit & of)
     }
-    let mut lit = 0u16;
-    for k in 0..LANES {
-        lit |= u16::from(g[k] > 0.0 && front[k] > 0.0) << k;
-    }
-    (g, lit & of)
 }

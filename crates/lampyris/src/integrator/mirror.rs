@@ -34,6 +34,10 @@ impl Integrator for Mirror {
         "L ((S|D)* D)? M D S* E"
     }
 
+    fn gathers_photons(&self) -> bool {
+        true
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         let world = pass.world;
         if world.mirrors().is_empty() {
@@ -204,7 +208,7 @@ fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -
     let mut radiance = [Rgb::BLACK; LANES];
     for image in images {
         let together = if matches!(image.image.shine, Shine::Distant) { 0 } else { p.opaque };
-        let (g, lit) = gather::geometry_terms(&image.image, p, together);
+        let (g, lit) = gather::geometry_terms(world.tracer().kernel(), &image.image, p, together);
         let point = |k: usize| lane(&p.position, k);
         let lit = lanes(lit).filter(|k| image.may_shine_on(point(*k))).fold(0, |m, k| m | 1u16 << k);
         if lit != 0 {

@@ -5,19 +5,22 @@
 //! row in [`ALL`].
 
 mod caustic;
+mod caustic_path;
 mod compensation;
 mod direct;
 mod emission;
 pub mod gather;
 mod mirror;
 mod path;
+mod pick;
 mod short;
 mod vpl;
 
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Sampling, Tile};
-use crate::particle::{Plan, Vpl};
+use crate::particle::{Beacon, Plan, Vpl};
+use crate::photon::Photons;
 use crate::settings::{Rays, Settings};
 use crate::world::World;
 
@@ -36,6 +39,10 @@ pub struct Pass<'w> {
     pub lights: &'w [Vpl<'w>],
     /// Virtual point lights of this pass: an unbiased stand-in for all reflected light.
     pub vpls: &'w [Vpl<'w>],
+    /// The same for picking among them.
+    pub beacons: &'w [Beacon],
+    /// Caustic photons of the batch; `None` where the oracle does their work.
+    pub photons: Option<&'w Photons>,
     /// Which sample of each pixel.
     pub sampling: Sampling,
 }
@@ -46,6 +53,16 @@ pub trait Integrator: Send + Sync {
     fn name(&self) -> &'static str;
     /// The paths it covers, in the notation of docs/light-transport.md.
     fn paths(&self) -> &'static str;
+    /// True if its light varies slowly over a surface, so that what is shown may be averaged between neighbours.
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
+    /// Whether it asks for [`Pass::photons`].
+    fn gathers_photons(&self) -> bool {
+        false
+    }
+
     /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` is row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays);
 }
@@ -58,17 +75,21 @@ pub static ALL: &[&dyn Integrator] = &[
     &compensation::Compensation,
     &mirror::Mirror,
     &caustic::Caustic,
+    &caustic_path::CausticPath,
     &path::Path,
 ];
 
 /// The parts that make the whole picture, each path once.
 pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "mirror", "caustic"];
 
+/// The part that finds caustics without photons, for every part that asks for them.
+pub const CAUSTIC_ORACLE: &str = "caustic-path";
+
 /// The integrators of the names given, in the order of [`ALL`].
 ///
 /// # Errors
-/// [`Error::BadSetting`] for an unknown name, for none at all, and for `path` beside another part, which would count
-/// paths twice.
+/// [`Error::BadSetting`] for an unknown name, for none at all, and for parts that would count paths twice: `path` beside
+/// any other, or both ways to find caustics.
 pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>> {
     for name in names {
         if !ALL.iter().any(|i| i.name() == name.as_ref()) {
@@ -90,7 +111,18 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
             "\"path\" covers every path: beside it any other part counts twice".into(),
         ));
     }
+    let has = |name| chosen.iter().any(|i| i.name() == name);
+    if has("caustic") && has(CAUSTIC_ORACLE) {
+        return Err(Error::BadSetting(
+            "\"caustic-path\" covers the paths of \"caustic\": choose one of them".into(),
+        ));
+    }
     Ok(chosen)
+}
+
+/// Whether photons are of use to these parts: to some of them, unless the oracle is asked for in their place.
+pub fn gather_photons(parts: &[&dyn Integrator]) -> bool {
+    parts.iter().any(|i| i.gathers_photons()) && parts.iter().all(|i| i.name() != CAUSTIC_ORACLE)
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.

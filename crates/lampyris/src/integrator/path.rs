@@ -31,6 +31,10 @@ impl Integrator for Path {
         "L (S|D)* E, less L_point S+ D S* E"
     }
 
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
         for packet in &tile.packets {
             for k in packet.lanes() {

@@ -19,6 +19,6 @@ impl Integrator for VirtualLights {
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
-        gather::tile(pass, tile, pass.vpls, out, &mut rays.shadow);
+        gather::tile_of_vpls(pass, tile, out, &mut rays.shadow);
     }
 }

@@ -92,6 +92,9 @@ pub struct Bounds {
 }
 
 impl Emitter {
+    /// What stands in the place of an emitter that is not there: it sends out nothing.
+    pub const NONE: Emitter = Emitter::Lamp(LightKind::Point { position: Vec3::ZERO, intensity: Rgb::BLACK });
+
     /// Luminous flux [lm] per channel; for distant light, the flux through the scene's bounding sphere.
     pub fn power(&self, bounds: Bounds) -> Rgb {
         let disc = PI * bounds.radius * bounds.radius;
@@ -117,6 +120,12 @@ impl Emitter {
             Emitter::Side(side) => side.importance(),
             _ => self.power(bounds).luminance().max(0.0),
         }
+    }
+
+    /// True if it certainly sends out nothing.
+    pub fn is_dark(&self) -> bool {
+        let bounds = Bounds { center: Vec3::ZERO, radius: 1.0 };
+        self.importance(bounds) <= 0.0 && self.power(bounds).is_black()
     }
 
     /// Area of the shining surface [m²]; 0 for lights that have none.
@@ -372,7 +381,8 @@ fn cube_root_of_rest(v: f32, rim: f32) -> f32 {
 
 impl From<&Light> for Emitter {
     fn from(light: &Light) -> Emitter {
-        Emitter::Lamp(light.kind.clone())
+        let dark = light.state != super::State::On;
+        Emitter::Lamp(if dark { light.kind.clone().with_brightness(Rgb::BLACK) } else { light.kind.clone() })
     }
 }
 

@@ -21,9 +21,29 @@ pub struct Light {
     pub name: String,
     /// What it is.
     pub kind: LightKind,
+    /// Whether it shines.
+    #[serde(default)]
+    pub state: State,
+}
+
+/// Whether a light shines, and whether it is there at all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum State {
+    /// It shines.
+    #[default]
+    On,
+    /// It is there, and dark.
+    Off,
+    /// It was taken away; its number stays, so that no other light's changes.
+    Away,
 }
 
 impl Light {
+    /// A light that shines.
+    pub fn new(name: impl Into<String>, kind: LightKind) -> Light {
+        Light { name: name.into(), kind, state: State::On }
+    }
+
     /// Centre and radius of a light at a finite place; `None` for parallel light.
     pub fn extent(&self) -> Option<(Vec3, f32)> {
         match self.kind {
@@ -35,11 +55,17 @@ impl Light {
         }
     }
 
-    /// True if every number is finite, every direction a unit vector, and every size what its field asks for. Other
-    /// lights are left out: one number missing would poison the whole picture.
+    /// [`LightKind::is_sound`]. Other lights are left out: one number missing would poison the whole picture.
+    pub fn is_sound(&self) -> bool {
+        self.kind.is_sound()
+    }
+}
+
+impl LightKind {
+    /// True if every number is finite, every direction a unit vector, and every size what its field asks for.
     pub fn is_sound(&self) -> bool {
         let unit = |v: Vec3| (v.length_squared() - 1.0).abs() < 1e-3;
-        match self.kind {
+        match *self {
             LightKind::Point { position, intensity } => position.is_finite() && intensity.is_finite(),
             LightKind::Spot { position, direction, intensity, beam } => {
                 position.is_finite() && unit(direction) && intensity.is_finite() && beam.is_sound()
@@ -53,6 +79,28 @@ impl Light {
                 placed && radius > 0.0 && radius.is_finite() && radiance.is_finite()
             }
         }
+    }
+
+    /// How bright it is: its intensity [cd], illuminance [lx] or radiance [cd/m²].
+    pub fn brightness(&self) -> Rgb {
+        match *self {
+            LightKind::Point { intensity, .. } | LightKind::Spot { intensity, .. } => intensity,
+            LightKind::Directional { illuminance, .. } => illuminance,
+            LightKind::Sphere { radiance, .. } | LightKind::Disc { radiance, .. } => radiance,
+        }
+    }
+
+    /// The same light as bright as that.
+    #[must_use]
+    pub fn with_brightness(mut self, brightness: Rgb) -> LightKind {
+        match &mut self {
+            LightKind::Point { intensity: own, .. }
+            | LightKind::Spot { intensity: own, .. }
+            | LightKind::Directional { illuminance: own, .. }
+            | LightKind::Sphere { radiance: own, .. }
+            | LightKind::Disc { radiance: own, .. } => *own = brightness,
+        }
+        self
     }
 }
 

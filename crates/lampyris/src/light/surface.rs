@@ -112,6 +112,18 @@ impl EmissiveSide {
         })
     }
 
+    /// The same side, what each point sends out asked elsewhere, if it is painted; of the same answers.
+    pub fn ask(&mut self, glow: impl Fn(u32, f32, f32) -> Rgb + Send + Sync + 'static) {
+        if let Some(paint) = &mut self.paint {
+            paint.glow = Arc::new(glow);
+        }
+    }
+
+    /// True if a texture says how it glows.
+    pub fn is_painted(&self) -> bool {
+        self.paint.is_some()
+    }
+
     /// Luminous flux that its share of the paths should follow [lm]; more than nothing where there may be light.
     pub(super) fn importance(&self) -> f32 {
         let power = || (self.radiance * (PI * self.area)).luminance().max(0.0);

@@ -11,12 +11,14 @@ mod energy;
 mod ggx;
 mod maps;
 mod pbr;
+mod sound;
 mod ward;
 
 pub use dielectric::{Dielectric, fresnel};
 pub use diffuse::Diffuse;
 pub use maps::{Coverage, Map, Maps};
 pub use pbr::Pbr;
+pub use sound::glows_soundly;
 pub use ward::{DELTA_ALPHA, Ward};
 
 use crate::color::Rgb;

@@ -19,6 +19,17 @@ pub struct Camera {
     pub fov_y: f32,
 }
 
+impl Camera {
+    /// True if every number is finite, the axis has a direction that is not the upward one, and the field of view lies
+    /// between 0° and 180°.
+    pub fn is_sound(&self) -> bool {
+        let finite = self.eye.is_finite() && self.target.is_finite() && self.up.is_finite();
+        let axis = (self.target - self.eye).try_normalize();
+        let across = axis.zip(self.up.try_normalize()).map_or(0.0, |(a, up)| a.cross(up).length());
+        finite && across > 1e-6 && self.fov_y > 0.0 && self.fov_y < 180.0
+    }
+}
+
 /// A camera made ready for a picture of a size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
@@ -49,6 +60,11 @@ impl View {
     /// The eye point [m].
     pub fn eye(&self) -> Vec3 {
         self.eye
+    }
+
+    /// Edge of a pixel at distance 1, in the middle of the picture.
+    pub fn pixel_size(&self) -> f32 {
+        self.right.length()
     }
 
     /// The ray through picture point (x, y) [pixels from the upper left corner]; unit direction.

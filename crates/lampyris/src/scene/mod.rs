@@ -1,14 +1,18 @@
 //! The scene as data: what an importer makes and what an edit changes. Plain, serialisable, without acceleration.
 
 mod camera;
+mod edit;
 mod paint;
+mod reference;
 mod sight;
 mod summary;
 mod upward;
 mod viewpoint;
 
 pub use camera::{Camera, View};
+pub use edit::Edit;
 pub(crate) use paint::{Least, Spot};
+pub use reference::{Reference, Share, Source};
 pub use sight::Seen;
 pub use summary::Summary;
 pub use upward::upward;
@@ -45,6 +49,12 @@ pub struct Scene {
     pub cameras: Vec<Camera>,
     /// The upward direction where the format states one.
     pub up: Option<Vec3>,
+    /// From where it is looked at, where that is decided.
+    #[serde(default)]
+    pub view: Option<Camera>,
+    /// What the shares of the light paths are fixed by; [`crate::world::World::new`] fills in what is missing.
+    #[serde(default)]
+    pub reference: Reference,
 }
 
 /// Triangles that move together.
@@ -68,12 +78,17 @@ pub struct Mesh {
 }
 
 /// A mesh in its place.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Instance {
     /// Name in the file: object names from the outside in, joined by `/`.
     pub name: String,
-    /// Which mesh.
+    /// Which mesh; [`Instance::AWAY`] where the object was taken away and only its number is left.
     pub mesh: u32,
     /// Mesh space → world.
     pub transform: Affine3A,
+}
+
+impl Instance {
+    /// The number of no mesh.
+    pub const AWAY: u32 = u32::MAX;
 }

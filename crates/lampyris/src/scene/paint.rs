@@ -123,20 +123,15 @@ impl<'s> Spot<'s> {
 }
 
 /// The least values of maps, each image searched once: bounds for what a map may make of a factor.
-pub(crate) struct Least<'s> {
-    scene: &'s Scene,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Least {
     known: HashMap<(u32, usize), f32>,
 }
 
-impl<'s> Least<'s> {
-    pub(crate) fn new(scene: &'s Scene) -> Least<'s> {
-        Least { scene, known: HashMap::new() }
-    }
-
-    /// Of one channel, not less than zero; one without a map.
-    pub(crate) fn of(&mut self, map: &Option<Map>, channel: usize) -> f32 {
-        let Some((map, (texture, image))) = map.as_ref().and_then(|m| Some((m, self.scene.textured(m)?)))
-        else {
+impl Least {
+    /// Of one channel, not less than zero; one without a map. All maps are of the same scene.
+    pub(crate) fn of(&mut self, scene: &Scene, map: &Option<Map>, channel: usize) -> f32 {
+        let Some((map, (texture, image))) = map.as_ref().and_then(|m| Some((m, scene.textured(m)?))) else {
             return 1.0;
         };
         let search = || image.least(texture.encoding, channel).max(0.0);
@@ -144,7 +139,7 @@ impl<'s> Least<'s> {
     }
 
     /// False where a material's surface is certainly whole, whatever its textures say.
-    pub(crate) fn may_have_holes(&mut self, material: &Material, mesh: &Mesh) -> bool {
+    pub(crate) fn may_have_holes(&mut self, scene: &Scene, material: &Material, mesh: &Mesh) -> bool {
         let (factor, enough) = match material.coverage {
             Coverage::Full => return false,
             // Rounding of a look-up may lie a little below the least pixel.
@@ -153,6 +148,6 @@ impl<'s> Least<'s> {
         };
         let maps = &material.maps;
         let vertices = mesh.colors.iter().map(|c| c.w).fold(1.0, f32::min);
-        factor * self.of(&maps.color, 3) * self.of(&maps.alpha, 0) * vertices < enough
+        factor * self.of(scene, &maps.color, 3) * self.of(scene, &maps.alpha, 0) * vertices < enough
     }
 }

@@ -2,6 +2,7 @@
 //! Sums run in double precision over the triangles as placed in the world; nothing is traced.
 
 use super::Scene;
+use crate::light::State;
 use crate::material::Sides;
 use glam::Vec3;
 use std::collections::HashSet;
@@ -32,7 +33,8 @@ impl Scene {
     /// The scene in figures. Triangles that name no vertex or no material of the scene are left out.
     pub fn summary(&self) -> Summary {
         let names: HashSet<&str> = self.materials.iter().map(|m| m.name.as_str()).collect();
-        let mut sum = Summary { materials: names.len(), lights: self.lights.len(), ..Summary::default() };
+        let lights = self.lights.iter().filter(|l| l.state != State::Away).count();
+        let mut sum = Summary { materials: names.len(), lights, ..Summary::default() };
         for (number, instance) in (0..).zip(&self.instances) {
             let Some(mesh) = self.meshes.get(instance.mesh as usize) else { continue };
             let mut emitting = HashSet::new();

@@ -3,7 +3,7 @@
 //! without any evidence stands along +z.
 
 use super::Scene;
-use crate::light::LightKind;
+use crate::light::{LightKind, State};
 use crate::material::Sides;
 use glam::Vec3;
 
@@ -99,7 +99,7 @@ impl Evidence {
         }
         // Sources that are no surfaces count like the surfaces together: their units do not compare.
         let weight = lamps.weight.max(1.0) / scene.lights.len().max(1) as f32;
-        for light in &scene.lights {
+        for light in scene.lights.iter().filter(|l| l.state != State::Away) {
             let (position, direction) = match light.kind {
                 LightKind::Point { position, .. } => (Some(position), Vec3::ZERO),
                 LightKind::Spot { position, direction, .. } => (Some(position), direction),

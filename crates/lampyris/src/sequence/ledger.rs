@@ -1,5 +1,5 @@
 //! The dimension ledger: which random decision reads which dimension of the sequence.
-//! Light paths and eye paths have sequences (seeds) of their own, so their numbers may coincide. Decisions that must
+//! Light paths, eye paths and photons have sequences (seeds) of their own, so their numbers may coincide. Decisions that must
 //! be stratified together lie in one group of four, which Owen-scrambled Sobol' keeps a net ([`super::sobol`]).
 //!
 //! | light path | dimensions | group |
@@ -13,13 +13,24 @@
 //! | eye path | dimensions | group |
 //! |---|---|---|
 //! | place in the pixel | 0, 1 | 0 |
-//! | (free) | 2, 3 | 0 |
+//! | first of a packet: which virtual lights it picks | 2 | 0 |
+//! | (free) | 3 | 0 |
 //! | vertex k ≥ 0: direction | 8k + 4, 8k + 5 | 2k + 1 |
 //! | vertex k ≥ 0: choice of class | 8k + 6 | 2k + 1 |
 //! | vertex k ≥ 0: choice of lobe in the class | 8k + 7 | 2k + 1 |
 //! | vertex k ≥ 0: point on the light | 8k + 8, 8k + 9 | 2k + 2 |
 //! | vertex k ≥ 0: choice of the light | 8k + 10 | 2k + 2 |
 //! | vertex k ≥ 0: Russian roulette | 8k + 11 | 2k + 2 |
+//!
+//! | caustic photon | dimensions | group |
+//! |---|---|---|
+//! | point on the light, or (first alone) vertex of the walk | 0, 1 | 0 |
+//! | direction toward the body | 2, 3 | 0 |
+//! | choice of the body | 4 | 1 |
+//! | (free) | 5, 6, 7 | 1 |
+//! | sharp vertex k ≥ 0: direction | 4k + 8, 4k + 9 | k + 2 |
+//! | sharp vertex k ≥ 0: choice of lobe | 4k + 10 | k + 2 |
+//! | sharp vertex k ≥ 0: Russian roulette | 4k + 11 | k + 2 |
 //!
 //! A decision named with two dimensions returns the first of them. Which images a weak mirror makes in an eye pass, plain
 //! random numbers of the pass decide, one an image (`integrator/mirror.rs`).
@@ -51,6 +62,8 @@ pub mod light {
 pub mod eye {
     /// Place in the pixel, two dimensions.
     pub const PIXEL: u32 = 0;
+    /// Which of many virtual lights the packet picks that the pixel is the first of.
+    pub const PICK: u32 = 2;
 
     /// Direction scattered at vertex k ≥ 0 (0 is the first seen), two dimensions.
     pub const fn direction(k: u32) -> u32 {
@@ -83,9 +96,25 @@ pub mod eye {
     }
 }
 
+/// Decisions of a caustic photon.
+pub mod photon {
+    /// Point on the light, two dimensions; the first of them chooses a vertex of the walk.
+    pub const POINT: u32 = 0;
+    /// Direction toward the body, two dimensions.
+    pub const DIRECTION: u32 = 2;
+    /// Choice of the body.
+    pub const BODY: u32 = 4;
+
+    /// The four decisions of sharp vertex k ≥ 0 (0 is on the body): direction in two dimensions, choice of the lobe, and
+    /// Russian roulette after it.
+    pub const fn vertex(k: u32) -> u32 {
+        4 * k + 8
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{eye, light};
+    use super::{eye, light, photon};
 
     #[test]
     fn no_dimension_serves_two_decisions() {
@@ -102,5 +131,9 @@ mod tests {
             used.extend([eye::light_point(k), eye::light_point(k) + 1, eye::light(k), eye::roulette(k)]);
         }
         assert_eq!(used, (0..84).collect::<Vec<_>>());
+
+        let mut used = vec![photon::POINT, 1, photon::DIRECTION, 3, photon::BODY, 5, 6, 7];
+        used.extend((0..10).flat_map(|k| (0..4).map(move |d| photon::vertex(k) + d)));
+        assert_eq!(used, (0..48).collect::<Vec<_>>());
     }
 }

@@ -19,7 +19,8 @@ pub struct Facet {
 /// All facets of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Facets {
-    scene: Arc<Scene>,
+    /// Whose triangles they are.
+    pub(super) scene: Arc<Scene>,
     /// Of each instance.
     places: Vec<Place>,
     /// Triangles and vertices [m, world] of the meshes that have one instance.
@@ -37,8 +38,8 @@ struct Triangle {
 /// What all facets of an instance share.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// Where in `triangles` its own begin, if they are there.
-    first: Option<u32>,
+    /// Where in `triangles` and in `positions` its own begin, if they are there.
+    first: Option<(u32, u32)>,
     /// −1 where the transform mirrors.
     mirror: f32,
     /// No facet has bent normals.
@@ -52,7 +53,11 @@ impl Facets {
     /// Of every triangle of every instance.
     pub fn new(scene: &Arc<Scene>) -> Facets {
         let mut uses = vec![0_u32; scene.meshes.len()];
-        scene.instances.iter().for_each(|i| uses[i.mesh as usize] += 1);
+        for instance in &scene.instances {
+            if let Some(uses) = uses.get_mut(instance.mesh as usize) {
+                *uses += 1;
+            }
+        }
         let once = || scene.meshes.iter().zip(&uses).filter(|(_, uses)| **uses == 1);
         let mut all = Facets {
             scene: scene.clone(),
@@ -61,11 +66,10 @@ impl Facets {
             positions: Vec::with_capacity(once().map(|(m, _)| m.positions.len()).sum()),
         };
         for (number, instance) in (0..).zip(&scene.instances) {
-            let mirror = if instance.transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
-            let mesh = &scene.meshes[instance.mesh as usize];
-            let first = (uses[instance.mesh as usize] == 1).then_some(all.triangles.len() as u32);
-            if first.is_some() {
-                let base = all.positions.len() as u32;
+            let first = (uses.get(instance.mesh as usize) == Some(&1))
+                .then_some((all.triangles.len() as u32, all.positions.len() as u32));
+            if let Some((_, base)) = first {
+                let mesh = &scene.meshes[instance.mesh as usize];
                 let moved = mesh.positions.iter().map(|p| instance.transform.transform_point3(*p));
                 all.positions.extend(moved);
                 let pairs = mesh.triangles.iter().zip(&mesh.materials);
@@ -74,12 +78,45 @@ impl Facets {
                     material: *material,
                 }));
             }
-            all.places.push(Place { first, mirror, flat: false });
-            let triangles = 0..mesh.triangles.len() as u32;
-            let flat = mesh.normals.is_empty() || triangles.into_iter().all(|t| all.is_flat(number, t));
-            all.places[number as usize].flat = flat;
+            all.places.push(Place { first, mirror: 1.0, flat: false });
+            all.orient(number);
         }
         all
+    }
+
+    /// An instance was moved, or is new.
+    pub(super) fn moved(&mut self, number: u32) {
+        let scene = self.scene.clone();
+        let Some(instance) = scene.instances.get(number as usize) else { return };
+        match self.places.get(number as usize).map(|place| place.first) {
+            None => self.places.push(Place { first: None, mirror: 1.0, flat: false }),
+            Some(None) => {}
+            Some(Some((_, base))) => {
+                let positions = self.positions[base as usize..].iter_mut();
+                let given = scene.meshes.get(instance.mesh as usize).map(|mesh| &mesh.positions);
+                for (at, p) in positions.zip(given.into_iter().flatten()) {
+                    *at = instance.transform.transform_point3(*p);
+                }
+            }
+        }
+        self.orient(number);
+    }
+
+    /// An instance has another mesh, or none.
+    pub(super) fn swapped(&mut self, number: u32) {
+        if let Some(place) = self.places.get_mut(number as usize) {
+            place.first = None;
+        }
+        self.orient(number);
+    }
+
+    /// Notes whether an instance is mirrored, and whether it is flat.
+    fn orient(&mut self, number: u32) {
+        let Some((mesh, transform)) = self.mesh(number) else { return };
+        let (count, smooth) = (mesh.triangles.len() as u32, !mesh.normals.is_empty());
+        let mirror = if transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
+        self.places[number as usize] = Place { mirror, flat: false, ..self.places[number as usize] };
+        self.places[number as usize].flat = !smooth || (0..count).all(|t| self.is_flat(number, t));
     }
 
     /// One triangle of one instance.
@@ -94,11 +131,11 @@ impl Facets {
     /// The corners of a triangle, counter-clockwise seen from the front or, where [`Facets::mirror`] is −1, the back.
     #[inline]
     pub(super) fn corners(&self, instance: u32, triangle: u32) -> [Vec3; 3] {
-        if let Some(first) = self.places[instance as usize].first {
+        if let Some((first, _)) = self.places[instance as usize].first {
             let vertices = &self.triangles[(first + triangle) as usize].vertices;
             return vertices.map(|v| self.positions[v as usize]);
         }
-        let (mesh, transform) = self.mesh(instance);
+        let (mesh, transform) = self.placed(instance);
         mesh.triangles[triangle as usize].map(|v| transform.transform_point3(mesh.positions[v as usize]))
     }
 
@@ -112,15 +149,20 @@ impl Facets {
     #[inline]
     pub fn material(&self, instance: u32, triangle: u32) -> u32 {
         match self.places[instance as usize].first {
-            Some(first) => self.triangles[(first + triangle) as usize].material,
-            None => self.mesh(instance).0.materials[triangle as usize],
+            Some((first, _)) => self.triangles[(first + triangle) as usize].material,
+            None => self.placed(instance).0.materials[triangle as usize],
         }
+    }
+
+    /// How many triangles an instance has; none where it was taken away.
+    pub fn count(&self, instance: u32) -> u32 {
+        self.mesh(instance).map_or(0, |(mesh, _)| mesh.triangles.len() as u32)
     }
 
     /// Every triangle: (instance, triangle, facet).
     pub fn iter(&self) -> impl Iterator<Item = (u32, u32, Facet)> {
         (0..self.places.len() as u32).flat_map(move |instance| {
-            let triangles = 0..self.mesh(instance).0.triangles.len() as u32;
+            let triangles = 0..self.count(instance);
             triangles.map(move |triangle| (instance, triangle, self.get(instance, triangle)))
         })
     }
@@ -147,14 +189,22 @@ impl Facets {
         if n.dot(normal) < 0.0 { -n } else { n }
     }
 
-    fn mesh(&self, instance: u32) -> (&Mesh, &Affine3A) {
+    /// The mesh of an instance, unless it was taken away.
+    fn mesh(&self, instance: u32) -> Option<(&Mesh, &Affine3A)> {
+        let instance = self.scene.instances.get(instance as usize)?;
+        Some((self.scene.meshes.get(instance.mesh as usize)?, &instance.transform))
+    }
+
+    /// The mesh of an instance that has triangles.
+    #[inline]
+    fn placed(&self, instance: u32) -> (&Mesh, &Affine3A) {
         let instance = &self.scene.instances[instance as usize];
         (&self.scene.meshes[instance.mesh as usize], &instance.transform)
     }
 
     /// The normals of the corners, unless they are `normal`.
     fn bent(&self, instance: u32, triangle: u32, normal: Vec3) -> Option<[Vec3; 3]> {
-        let (mesh, transform) = self.mesh(instance);
+        let (mesh, transform) = self.placed(instance);
         let given = |v: u32| mesh.normals.get(v as usize).copied().unwrap_or_default();
         let bent =
             mesh.triangles[triangle as usize].map(|v| turned(transform, given(v)).normalize_or(normal));

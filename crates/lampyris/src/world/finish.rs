@@ -121,11 +121,11 @@ impl Finish {
     }
 
     /// False only if no point of the material has sharp lobes: a map may polish what its factors leave rough.
-    pub(super) fn may_be_sharp(&self, material: &Material, least: &mut Least<'_>) -> bool {
+    pub(super) fn may_be_sharp(&self, scene: &Scene, material: &Material, least: &mut Least) -> bool {
         let Bsdf::Pbr(m) = self.bsdf else { return !self.sharp.is_black() };
         let map = &material.maps.roughness;
-        let roughness = m.roughness * least.of(map, 1);
-        [m.metallic, m.metallic * least.of(map, 2)].into_iter().any(|metallic| {
+        let roughness = m.roughness * least.of(scene, map, 1);
+        [m.metallic, m.metallic * least.of(scene, map, 2)].into_iter().any(|metallic| {
             let polished = Bsdf::Pbr(Pbr { roughness, metallic, ..m });
             !polished.albedo(Class::Sharp, Vec3::Z).is_black()
         })

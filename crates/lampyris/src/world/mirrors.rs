@@ -30,7 +30,7 @@ const MARGIN: f32 = 1e-5;
 const PARALLEL: f32 = 0.999_999;
 
 /// Flat facets in one plane, of one instance. It mirrors on both sides of the plane where their materials do.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Mirror {
     /// A corner, where distances from the plane are counted from [m, world].
     origin: Vec3,
@@ -145,15 +145,15 @@ impl Mirrors {
         }
         let mut flat = Vec::new();
         let mut totals: HashMap<u32, f64> = HashMap::new();
-        for (instance, triangle, facet) in facets.iter() {
-            let place = (instance, triangle);
-            let [a, b, c] = facet.corners;
+        let instances = 0..facets.scene.instances.len() as u32;
+        for place in instances.flat_map(|i| (0..facets.count(i)).map(move |triangle| (i, triangle))) {
+            let (instance, triangle) = place;
+            if reflects[facets.material(instance, triangle) as usize] <= 0.0 {
+                continue;
+            }
+            let [a, b, c] = facets.corners(instance, triangle);
             let area = 0.5 * f64::from((b - a).cross(c - a).length());
-            if reflects[facet.material as usize] > 0.0
-                && facets.is_flat(instance, triangle)
-                && area > 0.0
-                && area.is_finite()
-            {
+            if facets.is_flat(instance, triangle) && area > 0.0 && area.is_finite() {
                 *totals.entry(instance).or_default() += area;
                 flat.push((area, place));
             }
@@ -206,7 +206,7 @@ impl Mirrors {
 }
 
 /// What the material reflects in a delta lobe, in its brightest channel; 0 where it is not the same everywhere.
-fn reflectance(m: &Material) -> f32 {
+pub(super) fn reflectance(m: &Material) -> f32 {
     let even = m.coverage == Coverage::Full && m.maps == Maps::default();
     if even { m.bsdf.mirror_reflectance(1.0).max_channel() } else { 0.0 }
 }

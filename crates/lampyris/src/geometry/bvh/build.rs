@@ -2,12 +2,12 @@
 //! ranges make a node. Large subtrees grow in parallel, yet the tree depends on the boxes alone. It does not split
 //! boxes, and below a fixed depth it halves by number, so that no scene makes it deep.
 
-use super::{Hierarchy, LEAF, NONE, Node, WIDTH};
+use super::{Hierarchy, LEAF, Node, WIDTH};
 use glam::Vec3;
 use rayon::prelude::*;
 
 /// Wide levels split by surface area.
-const SAH_DEPTH: usize = 14;
+pub(super) const SAH_DEPTH: usize = 14;
 /// Each level below at least halves the largest range: 2³¹ boxes end within 31 more, leaves being bits of a u32.
 pub(super) const MAX_DEPTH: usize = SAH_DEPTH + 31;
 
@@ -136,11 +136,7 @@ fn divide(range: Range<'_>, leaf: usize, by_area: bool) -> Vec<Range<'_>> {
 
 /// Puts subtrees under a new root. A subtree without nodes is a leaf.
 fn join(subtrees: Vec<(Bounds, Subtree)>) -> Subtree {
-    let mut root = Node { bounds: [[f32::INFINITY; WIDTH]; 6], child: [NONE; WIDTH] };
-    for axis in 3..6 {
-        root.bounds[axis] = [f32::NEG_INFINITY; WIDTH];
-    }
-    let mut all = Subtree { nodes: vec![root], leaves: Vec::new() };
+    let mut all = Subtree { nodes: vec![Node::EMPTY], leaves: Vec::new() };
     for (i, (bounds, subtree)) in subtrees.into_iter().enumerate() {
         let (node_base, leaf_base) = (all.nodes.len() as u32, all.leaves.len() as u32);
         for axis in 0..3 {
@@ -148,12 +144,7 @@ fn join(subtrees: Vec<(Bounds, Subtree)>) -> Subtree {
             all.nodes[0].bounds[axis + 3][i] = bounds.upper[axis];
         }
         all.nodes[0].child[i] = if subtree.nodes.is_empty() { leaf_base | LEAF } else { node_base };
-        all.nodes.extend(subtree.nodes.into_iter().map(|mut node| {
-            for child in node.child.iter_mut().filter(|child| **child != NONE) {
-                *child += if *child & LEAF != 0 { leaf_base } else { node_base };
-            }
-            node
-        }));
+        all.nodes.extend(subtree.nodes.iter().map(|node| node.moved(node_base, leaf_base)));
         all.leaves.extend(subtree.leaves);
     }
     all

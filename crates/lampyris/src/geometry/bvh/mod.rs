@@ -24,6 +24,7 @@ macro_rules! three {
 }
 
 mod build;
+mod graft;
 mod packet;
 mod portable;
 #[cfg(target_arch = "x86_64")]
@@ -40,6 +41,7 @@ mod tests;
 mod triangle;
 
 pub(super) use build::{Bounds, Item, build};
+pub(super) use graft::Grafted;
 pub(super) use packet::PacketBest;
 pub(super) use slab::Slab;
 pub(super) use triangle::Plane;
@@ -56,8 +58,8 @@ use triangle::{Crossing, Shear, crossing, pierced};
 /// Children of a node and triangles of a block.
 pub(super) const WIDTH: usize = 8;
 
-/// Entries that a walk may have to put off: seven a level, and the builder bounds the levels.
-const STACK: usize = (WIDTH - 1) * build::MAX_DEPTH + 1;
+/// Entries that a walk may have to put off: seven a level, and the builder bounds the levels, those above grafts too.
+const STACK: usize = (WIDTH - 1) * (build::MAX_DEPTH + graft::DEPTH) + 1;
 
 /// An unused child.
 const NONE: u32 = u32::MAX;
@@ -268,6 +270,11 @@ impl Tree {
         self.hierarchy.memory() + size_of_val(&self.blocks[..])
     }
 
+    /// Asks another screen for holes.
+    pub(super) fn ask(&mut self, screen: &Screen) {
+        self.screen = screen.clone();
+    }
+
     /// Offers `best` what a ray of the world meets. If the tree is that of a shared mesh, it also needs the place of the
     /// instance and the ray against the boxes of that mesh. Rays are made ready in the kernels, where it costs least.
     pub(super) fn closest(
@@ -384,6 +391,31 @@ impl Tree {
             Some((_, slab)) => *slab,
             None => Slab::new(ray.origin, ray.direction, &self.bounds(), 0.0),
         }
+    }
+}
+
+impl Node {
+    /// Without children.
+    const EMPTY: Node = Node {
+        bounds: [
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+        ],
+        child: [NONE; WIDTH],
+    };
+
+    /// The node among others, whose nodes and leaves have so many before them.
+    fn moved(&self, nodes: u32, leaves: u32) -> Node {
+        let child = |child: u32| match child {
+            NONE => NONE,
+            leaf if leaf & LEAF != 0 => leaf + leaves,
+            inner => inner + nodes,
+        };
+        Node { child: self.child.map(child), ..self.clone() }
     }
 }
 

@@ -13,6 +13,9 @@ use crate::light::{Beam, Light, LightKind};
 use crate::scene::Camera;
 use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
 
+/// The largest number of a transform: products with coordinates must stay within f32.
+const FARTHEST: f64 = 1e18;
+
 /// A mesh at its place.
 pub(super) struct Placed {
     pub(super) mesh: u32,
@@ -63,9 +66,9 @@ pub(super) fn walk(document: &Document, limits: &Limits, notes: &mut Notes) -> R
         name.truncate(length);
         append(&mut name, node.name.as_deref().unwrap_or_default());
         let transform = outer * local(node, &place, notes);
-        let far = !transform.translation.is_finite() || transform.translation.abs().max_element() > 1e18;
-        if far || !transform.matrix3.is_finite() {
-            notes.warn(&place, "a transform that is not finite; the node is left out");
+        let columns = transform.to_cols_array();
+        if !columns.iter().all(|v| v.abs() <= FARTHEST) {
+            notes.warn(&place, "a transform that is not finite or beyond 1e18; the node is left out");
             continue;
         }
         furnish(document, node, index, &name, &transform, notes, &mut out)?;
@@ -227,7 +230,7 @@ fn lamp(light: &JsonLight, name: String, transform: &DAffine3) -> Option<Light> 
         }
         _ => return None,
     };
-    let light = Light { name, kind };
+    let light = Light::new(name, kind);
     let possible = strength.max_channel() <= BRIGHTEST && [r, g, b, light_strength].iter().all(|v| *v >= 0.0);
     (light.is_sound() && possible).then_some(light)
 }

@@ -8,6 +8,8 @@ const PARTS: usize = 64;
 const CHANNELS: usize = 256;
 /// Bytes of all headers.
 const HEADERS: usize = 1 << 20;
+/// Bytes of a block that may be larger than the picture.
+const BLOCK: u64 = 16 << 20;
 /// Farthest coordinate of a window.
 const FARTHEST: i32 = 1 << 24;
 
@@ -55,7 +57,11 @@ fn part<'a>(mut bytes: &'a [u8], file: u64, most: &mut Size) -> Result<&'a [u8],
             part.check(file, most)?;
             return Ok(rest);
         }
-        let (_, rest) = text(rest)?;
+        let (kind, rest) = text(rest)?;
+        // Of these the decoder reads on where they should end.
+        if kind.is_empty() {
+            return Err("an attribute has no type".into());
+        }
         let (length, rest) = take(rest)?;
         let length = usize::try_from(i32::from_le_bytes(length)).map_err(|_| "an attribute is too short")?;
         let value = rest.get(..length).ok_or("an attribute is longer than the headers may be")?;
@@ -92,13 +98,16 @@ impl Part {
         let (Ok(width), Ok(height)) = (u64::try_from(width), u64::try_from(height)) else {
             return Err("its data window is inside out".into());
         };
-        let blocks = match self.tile {
-            Some([w, h]) if w == 0 || h == 0 || w > super::LONGEST || h > super::LONGEST => {
-                return Err(format!("tiles of {w} × {h} pixels cannot be read"));
-            }
-            Some([w, h]) => width.div_ceil(w).saturating_mul(height.div_ceil(h)),
-            None => height.div_ceil(lines(self.compression)),
-        };
+        let [w, h] = self.tile.unwrap_or([width, lines(self.compression)]);
+        if w == 0 || h == 0 || w.max(h) > FARTHEST.unsigned_abs().into() {
+            return Err(format!("blocks of {w} × {h} pixels cannot be read"));
+        }
+        // The decoder makes room for one block at once, and believes each block how long it is.
+        let bytes = |w: u64, h: u64| w.saturating_mul(h).saturating_mul(self.depth);
+        if bytes(w, h) > BLOCK.max(bytes(width, height)) {
+            return Err(format!("blocks of {w} × {h} pixels for {width} × {height}"));
+        }
+        let blocks = width.div_ceil(w).saturating_mul(height.div_ceil(h));
         if blocks > file / 8 + 1 {
             return Err(format!("{blocks} blocks do not lie in {file} bytes"));
         }

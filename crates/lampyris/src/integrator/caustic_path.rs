@@ -1,0 +1,56 @@
+//! Light that reaches the first dull vertex over a sharp one, L (S|D)* S D S* E, unless that is a single planar mirror
+//! (the part *mirror*): by the oracle restricted to these paths. Beside photons it is unbiased in every batch, and far
+//! noisier; caustics of point, spot and directional lights cannot be found this way and are missing.
+
+use super::path::{Scope, Start, trace};
+use super::{Integrator, Pass, STRIDE, turn_of};
+use crate::color::Rgb;
+use crate::eye::{Numbers, Tile};
+use crate::settings::Rays;
+use crate::world::{Surface, World};
+
+/// Paths L (S|D)* S D S* E, less *mirror*'s.
+pub(super) struct CausticPath;
+
+impl Integrator for CausticPath {
+    fn name(&self) -> &'static str {
+        "caustic-path"
+    }
+
+    fn paths(&self) -> &'static str {
+        "L (S|D)* S D S* E, less mirror, and less L_point S+ D S* E"
+    }
+
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+        self::tile(pass, tile, out, rays);
+    }
+}
+
+/// What every point of a tile receives.
+pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    if !pass.world.has_sharp_surfaces() {
+        return;
+    }
+    for packet in &tile.packets {
+        for k in packet.lanes() {
+            let numbers = packet.numbers[k];
+            if turn_of(pass, numbers.seed >> 16)
+                && let Some(x) = packet.visible(k)
+            {
+                let found = at(pass.world, &x.surface, numbers.branch(b's'.into()), &mut rays.path);
+                out[packet.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
+            }
+        }
+    }
+}
+
+/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.
+pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
+    if !world.has_sharp_surfaces() {
+        return Rgb::BLACK;
+    }
+    let mut traced = Rays::default();
+    let found = trace(world, Start::Surface(*x), Scope::Caustics, numbers, &mut traced);
+    *rays += traced.path;
+    found.caustic
+}

@@ -1,0 +1,106 @@
+//! Choosing before tracing: of many virtual lights, sixteen pixels trace the few that would give them most if nothing
+//! stood between. What they would give is a few instructions, a ray is hundreds.
+//!
+//! A comb of n equal teeth lies over the running sum of the weights w_k, at random. Its teeth meet light k n w_k/Σw times in
+//! the mean, and each meeting counts Σw/(n w_k): unbiased as long as whatever gives light has a weight, and without
+//! variance where what is given is in proportion to it.
+
+use crate::eye::{LANES, Packet};
+use crate::geometry::{Kernel, Wide};
+use crate::particle::Beacon;
+
+/// Lights that one comb goes over. A longer list is cut, and the teeth are shared out.
+const RUN: usize = 512;
+
+/// Calls `each` with the numbers of the lights that a packet traces, about `most` of them, and the factors that make them
+/// stand for all; `u` in [0, 1) places the comb.
+pub(super) fn pick(
+    kernel: Kernel,
+    p: &Packet<'_>,
+    beacons: &[Beacon],
+    most: u32,
+    u: f32,
+    mut each: impl FnMut(usize, f32),
+) {
+    let runs = beacons.len().div_ceil(RUN).max(1);
+    let length = beacons.len().div_ceil(runs).max(1);
+    let teeth = most.div_ceil(runs as u32) as f32;
+    let points = Points::new(p);
+    let mut weights = [0.0; RUN];
+    for (number, run) in beacons.chunks(length).enumerate() {
+        let weights = &mut weights[..run.len()];
+        let total = kernel.run(Weigh { points: &points, run, weights });
+        if !(total > 0.0 && total < f32::INFINITY) {
+            continue;
+        }
+        let gap = total / teeth;
+        let (mut tooth, mut sum) = (u * gap, 0.0);
+        for (k, weight) in weights.iter().enumerate() {
+            sum += weight;
+            let mut met = 0.0;
+            while tooth < sum {
+                met += 1.0;
+                tooth += gap;
+            }
+            if met > 0.0 {
+                each(number * length + k, met * gap / weight);
+            }
+        }
+    }
+}
+
+/// The points of a packet, and from which sides they can be lit.
+#[repr(C, align(64))]
+struct Points<'p, 'w> {
+    /// 0 where light from behind is lost, −1 where it passes.
+    behind: [f32; LANES],
+    /// 1 where there is a point, else 0.
+    live: [f32; LANES],
+    packet: &'p Packet<'w>,
+}
+
+impl<'p, 'w> Points<'p, 'w> {
+    fn new(packet: &'p Packet<'w>) -> Points<'p, 'w> {
+        let of =
+            |mask: u16, yes: f32, no: f32| std::array::from_fn(|k| if mask >> k & 1 == 1 { yes } else { no });
+        Points { behind: of(packet.opaque, 0.0, -1.0), live: of(packet.live, 1.0, 0.0), packet }
+    }
+}
+
+/// What each light would give all points together, but for visibility and what they are made of.
+struct Weigh<'a, 'p, 'w> {
+    points: &'a Points<'p, 'w>,
+    run: &'a [Beacon],
+    weights: &'a mut [f32],
+}
+
+impl Wide for Weigh<'_, '_, '_> {
+    type Out = f32;
+
+    #[inline(always)]
+    fn run(self) -> f32 {
+        let Points { behind, live, packet } = self.points;
+        let ([x, y, z], [nx, ny, nz]) = (&packet.position, &packet.shading);
+        let mut total = 0.0;
+        for (weight, beacon) in self.weights.iter_mut().zip(self.run) {
+            let (at, n) = (beacon.position, beacon.normal);
+            let mut terms = [0.0; LANES];
+            for k in 0..LANES {
+                let (dx, dy, dz) = (at.x - x[k], at.y - y[k], at.z - z[k]);
+                let cos_x = dx * nx[k] + dy * ny[k] + dz * nz[k];
+                let cos_y = -(dx * n.x + dy * n.y + dz * n.z);
+                let d2 = dx * dx + dy * dy + dz * dz;
+                let passes = cos_x * behind[k];
+                let cos_x = if cos_x > passes { cos_x } else { passes };
+                let g = cos_x * cos_y / (d2 * d2);
+                let bounded = if g < beacon.bound { g } else { beacon.bound };
+                terms[k] = if cos_y > 0.0 && d2 > 0.0 { bounded * live[k] } else { 0.0 };
+            }
+            let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
+            let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
+            *weight = ((four[0] + four[2]) + (four[1] + four[3])) * beacon.weight;
+            total += *weight;
+        }
+        total
+    }
+}

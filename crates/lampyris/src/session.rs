@@ -1,0 +1,164 @@
+//! A scene that is looked at and worked on: a world, a back end, a picture that grows batch by batch, and the log of all
+//! edits. No thread and no clock is in here: a step is as long as a batch takes, and whose turn it is the caller decides.
+//!
+//! *Edited is fresh*: a picture never depends on how the scene came to be what it is. After any edits it has the bits of
+//! one begun anew with [`Session::scene`]. Whatever changes light, or where it is seen from, starts the picture at batch
+//! 0 again.
+
+use crate::backend::{Backend, Batch, Settings};
+use crate::cpu::Cpu;
+use crate::error::{Error, Result};
+use crate::eye::Eye;
+use crate::frame::Frame;
+use crate::scene::{Camera, Edit, Scene, View};
+use crate::world::{Changes, World};
+
+/// A scene being edited while its picture grows.
+pub struct Session {
+    cpu: Cpu,
+    /// Width and height [pixels].
+    size: [u32; 2],
+    settings: Settings,
+    log: Vec<Edit>,
+    /// What takes the last edits back, the latest at the end.
+    undo: Vec<Edit>,
+    /// What brings back what was taken back last.
+    redo: Vec<Edit>,
+}
+
+impl Session {
+    /// Opens a scene, seen by its [`Scene::view`] in a picture of `size` pixels, on `threads` threads; on all cores where
+    /// `None`.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] for settings that make no sense, and for a scene whose view is not decided.
+    pub fn open(
+        scene: Scene,
+        size: [u32; 2],
+        settings: &Settings,
+        threads: Option<usize>,
+    ) -> Result<Session> {
+        let eye = eye(scene.view.as_ref(), size)?;
+        let mut cpu = Cpu::new(threads)?;
+        cpu.begin(scene, eye, settings)?;
+        Ok(Session {
+            cpu,
+            size,
+            settings: settings.clone(),
+            log: Vec::new(),
+            undo: Vec::new(),
+            redo: Vec::new(),
+        })
+    }
+
+    /// Changes the scene. It takes effect in the next step.
+    ///
+    /// # Errors
+    /// As [`Scene::apply`], and [`Error::BadSetting`] for taking the view away; nothing is changed then.
+    pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
+        let changes = self.carry_out(edit)?;
+        self.undo.push(changes.inverse.clone());
+        self.redo.clear();
+        Ok(changes)
+    }
+
+    /// Takes the last edit back that has not been; `None` where there is none.
+    ///
+    /// # Errors
+    /// None that could be told of: what was done can be undone.
+    pub fn undo(&mut self) -> Result<Option<Changes>> {
+        let Some(edit) = self.undo.pop() else { return Ok(None) };
+        let changes = self.carry_out(&edit)?;
+        self.redo.push(changes.inverse.clone());
+        Ok(Some(changes))
+    }
+
+    /// Brings back what was undone last; `None` where nothing was since the last edit.
+    ///
+    /// # Errors
+    /// As [`Session::undo`].
+    pub fn redo(&mut self) -> Result<Option<Changes>> {
+        let Some(edit) = self.redo.pop() else { return Ok(None) };
+        let changes = self.carry_out(&edit)?;
+        self.undo.push(changes.inverse.clone());
+        Ok(Some(changes))
+    }
+
+    /// Everything that was done to the scene, in order; what was undone and redone too. On the scene that was opened it
+    /// makes the scene as it stands, and the same bits of its picture.
+    pub fn log(&self) -> &[Edit] {
+        &self.log
+    }
+
+    /// Does what a log says.
+    ///
+    /// # Errors
+    /// As [`Session::edit`], at the first edit that does not fit the scene; those before it stay.
+    pub fn replay(&mut self, log: &[Edit]) -> Result<()> {
+        log.iter().try_for_each(|edit| self.edit(edit).map(drop))
+    }
+
+    /// Adds a batch to the picture.
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn step(&mut self) -> Result<()> {
+        let index = self.frame()?.batches();
+        self.cpu.add(Batch { index })
+    }
+
+    /// Adds batches until there are `batches` of them.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn settle(&mut self, batches: u32) -> Result<()> {
+        while self.frame()?.batches() < batches {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// The picture as it stands.
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn frame(&mut self) -> Result<&Frame> {
+        self.cpu.frame()
+    }
+
+    /// The world as it stands.
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn world(&self) -> Result<&World> {
+        self.cpu.world().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))
+    }
+
+    /// The scene as it stands.
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn scene(&self) -> Result<&Scene> {
+        self.world().map(World::scene)
+    }
+
+    /// Changes the scene, notes it, and starts the picture again if it is another one now.
+    fn carry_out(&mut self, edit: &Edit) -> Result<Changes> {
+        if let Edit::View { camera } = edit {
+            eye(camera.as_ref(), self.size)?;
+        }
+        let changes = self.cpu.edit(edit)?;
+        self.log.push(edit.clone());
+        if changes.any() {
+            let eye = eye(self.scene()?.view.as_ref(), self.size)?;
+            self.cpu.restart(eye, &self.settings)?;
+        }
+        Ok(changes)
+    }
+}
+
+fn eye(camera: Option<&Camera>, [width, height]: [u32; 2]) -> Result<Eye> {
+    let undecided =
+        || Error::BadSetting("nobody has decided from where to look: give the scene a view".into());
+    camera.map(|camera| Eye::Camera(View::new(camera, width, height))).ok_or_else(undecided)
+}
