@@ -13,7 +13,7 @@ use glam::Vec3;
 use std::mem::MaybeUninit;
 
 /// Fewer rays than this go one by one.
-const FEW: u32 = 3;
+const FEW: u32 = 4;
 
 /// [`Tree::occluded16`] by AVX-512.
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,bmi1,popcnt")]
