@@ -6,6 +6,7 @@
 
 use glam::{Affine3A, Vec3};
 use lampyris::geometry::{Kernel, LANES, MeshGeometry, Occluder, Placement, Ray, Tracer};
+use std::collections::HashMap;
 use std::time::Instant;
 
 const REPETITIONS: usize = 7;
@@ -52,6 +53,8 @@ fn packet(tracer: &Tracer, rays: &[Ray]) -> (u64, f64) {
 /// Segments of one end.
 struct Shadows {
     shared: Vec3,
+    /// Which of the points that are shared.
+    number: usize,
     others: [[f32; LANES]; 3],
     live: u16,
 }
@@ -59,6 +62,7 @@ struct Shadows {
 /// Segments in the order of the file, as long as they share a point within rounding: one end, and the other one.
 fn gather(segments: &[[Vec3; 2]]) -> Vec<Shadows> {
     let mut all = Vec::new();
+    let mut numbers = HashMap::new();
     let mut rest = segments;
     while let Some(&[shared, _]) = rest.first() {
         let margin = 1e-5 * (1.0 + shared.abs().max_element());
@@ -70,22 +74,20 @@ fn gather(segments: &[[Vec3; 2]]) -> Vec<Shadows> {
                 others[i] = other[axis];
             }
         }
-        all.push(Shadows { shared, others, live: ((1u32 << count) - 1) as u16 });
+        let next = numbers.len();
+        let number = *numbers.entry((shared * 1e3).to_array().map(|x| x as i32)).or_insert(next);
+        all.push(Shadows { shared, number, others, live: ((1u32 << count) - 1) as u16 });
         rest = &rest[count..];
     }
     all
 }
 
 fn shadows(tracer: &Tracer, shadows: &[Shadows]) -> (u64, f64) {
-    let mut occluder = Occluder::default();
-    let mut last = Vec3::NAN;
+    let mut occluders = vec![Occluder::default(); shadows.len()];
     let mut hits = 0;
     for s in shadows {
-        // What blocked the rays of one point tells nothing of another's.
-        if s.shared != last {
-            (occluder, last) = (Occluder::default(), s.shared);
-        }
-        hits += u64::from(tracer.occluded16_cached(s.shared, &s.others, s.live, &mut occluder).count_ones());
+        let occluder = &mut occluders[s.number];
+        hits += u64::from(tracer.occluded16_cached(s.shared, &s.others, s.live, occluder).count_ones());
     }
     (hits, 0.0)
 }
