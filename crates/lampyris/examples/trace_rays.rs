@@ -1,10 +1,12 @@
-//! Speed of the tracer on one core: `trace_rays [--any | --from-end | --packet] soup.tris.bin rays.f32`.
+//! Speed of the tracer on one core: `trace_rays [--any | --from-end | --from-start | --packet] soup.tris.bin rays.f32`.
 //! Soup: raw f32 [n][3][3]; rays: raw f32 [n][8] = ox oy oz tnear dx dy dz tfar (tnear counts as 0). It prints how
-//! many rays hit, the sum of t and Mrays/s; `--from-end` traces segments 16 by 16 from their common end, `--packet`
-//! half-lines 16 by 16 from their common origin.
+//! many rays hit, the sum of t and Mrays/s; `--from-end` and `--from-start` trace segments 16 by 16 from the end or
+//! start that they share, `--packet` half-lines 16 by 16 from their common origin. `--portable` and `--avx2` choose a
+//! kernel below the best.
 
 use glam::{Affine3A, Vec3};
-use lampyris::geometry::{LANES, MeshGeometry, Placement, Ray, Tracer};
+use lampyris::geometry::{Kernel, LANES, MeshGeometry, Occluder, Placement, Ray, Tracer};
+use std::collections::HashMap;
 use std::time::Instant;
 
 const REPETITIONS: usize = 7;
@@ -50,34 +52,44 @@ fn packet(tracer: &Tracer, rays: &[Ray]) -> (u64, f64) {
 
 /// Segments of one end.
 struct Shadows {
-    end: Vec3,
-    starts: [[f32; LANES]; 3],
+    shared: Vec3,
+    /// Which of the points that are shared.
+    number: usize,
+    others: [[f32; LANES]; 3],
     live: u16,
 }
 
-/// Segments in the order of the file, as long as they end in the same point within rounding.
-fn gather(rays: &[Ray]) -> Vec<Shadows> {
+/// Segments in the order of the file, as long as they share a point within rounding: one end, and the other one.
+fn gather(segments: &[[Vec3; 2]]) -> Vec<Shadows> {
     let mut all = Vec::new();
-    let mut rest = rays;
-    while let Some(first) = rest.first() {
-        let end = first.at(1.0);
-        let near = |r: &&Ray| (r.at(1.0) - end).abs().max_element() <= 1e-5 * (1.0 + end.abs().max_element());
+    let mut numbers = HashMap::new();
+    let mut rest = segments;
+    while let Some(&[shared, _]) = rest.first() {
+        let margin = 1e-5 * (1.0 + shared.abs().max_element());
+        let near = |s: &&[Vec3; 2]| (s[0] - shared).abs().max_element() <= margin;
         let count = rest.iter().take(LANES).take_while(near).count();
-        let mut starts = [[0.0; LANES]; 3];
-        for (i, ray) in rest[..count].iter().enumerate() {
-            for (axis, starts) in starts.iter_mut().enumerate() {
-                starts[i] = ray.origin[axis];
+        let mut others = [[0.0; LANES]; 3];
+        for (i, [_, other]) in rest[..count].iter().enumerate() {
+            for (axis, others) in others.iter_mut().enumerate() {
+                others[i] = other[axis];
             }
         }
-        all.push(Shadows { end, starts, live: ((1u32 << count) - 1) as u16 });
+        let next = numbers.len();
+        let number = *numbers.entry((shared * 1e3).to_array().map(|x| x as i32)).or_insert(next);
+        all.push(Shadows { shared, number, others, live: ((1u32 << count) - 1) as u16 });
         rest = &rest[count..];
     }
     all
 }
 
-fn from_end(tracer: &Tracer, shadows: &[Shadows]) -> (u64, f64) {
-    let blocked = shadows.iter().map(|s| tracer.occluded16(s.end, &s.starts, s.live).count_ones());
-    (blocked.map(u64::from).sum(), 0.0)
+fn shadows(tracer: &Tracer, shadows: &[Shadows]) -> (u64, f64) {
+    let mut occluders = vec![Occluder::default(); shadows.len()];
+    let mut hits = 0;
+    for s in shadows {
+        let occluder = &mut occluders[s.number];
+        hits += u64::from(tracer.occluded16_cached(s.shared, &s.others, s.live, occluder).count_ones());
+    }
+    (hits, 0.0)
 }
 
 #[expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that reports to the terminal")]
@@ -85,7 +97,7 @@ fn main() -> std::io::Result<()> {
     let (options, files): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|a| a.starts_with("--"));
     let [soup, rays] = &files[..] else {
-        eprintln!("trace_rays [--any | --from-end | --packet] soup.tris.bin rays.f32");
+        eprintln!("trace_rays [--any | --from-end | --from-start | --packet] soup.tris.bin rays.f32");
         std::process::exit(2);
     };
     let has = |option: &str| options.iter().any(|o| o == option);
@@ -95,6 +107,15 @@ fn main() -> std::io::Result<()> {
     let mesh = MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[], screened: &[] };
     let start = Instant::now();
     let tracer = Tracer::build(&[mesh], &[Placement { mesh: 0, transform: Affine3A::IDENTITY }]);
+    let kernel = match () {
+        () if has("--portable") => Kernel::Portable,
+        () if has("--avx2") => Kernel::Avx2,
+        () => tracer.kernel(),
+    };
+    let Some(tracer) = tracer.with_kernel(kernel) else {
+        eprintln!("this machine has no {kernel:?}");
+        std::process::exit(2);
+    };
     println!(
         "{:?} build {:.3} s memory {:.1} B/triangle {:?}",
         tracer.kernel(),
@@ -107,10 +128,14 @@ fn main() -> std::io::Result<()> {
         .map(|r| Ray { origin: Vec3::from_slice(r), direction: Vec3::from_slice(&r[4..]), t_max: r[7] })
         .collect();
 
-    let shadows = if has("--from-end") { gather(&rays) } else { Vec::new() };
+    let packets = if has("--from-end") {
+        gather(&rays.iter().map(|r| [r.at(1.0), r.origin]).collect::<Vec<_>>())
+    } else {
+        gather(&rays.iter().map(|r| [r.origin, r.at(1.0)]).collect::<Vec<_>>())
+    };
     let trace = || {
-        if has("--from-end") {
-            from_end(&tracer, &shadows)
+        if has("--from-end") || has("--from-start") {
+            shadows(&tracer, &packets)
         } else if has("--packet") {
             packet(&tracer, &rays)
         } else if has("--any") {

@@ -2,7 +2,7 @@
 //! that a tile sees. Sharing the origin is what makes a packet fast [Wald et al. 2002]; the answers are those of
 //! single rays, bit for bit.
 
-use super::bvh::{End, PacketBest, mask};
+use super::bvh::{End, PacketBest};
 use super::tracer::{sound_direction, sound_origin};
 use super::{Hit, Ray, Tracer};
 use glam::Vec3;
@@ -40,14 +40,25 @@ impl Hits16 {
     }
 }
 
+/// What blocked last, to be asked first: one for each light. Any will do, even of another tracer.
+#[derive(Clone, Copy, Debug)]
+pub struct Occluder(u32);
+
+impl Default for Occluder {
+    /// Nothing.
+    fn default() -> Occluder {
+        Occluder(u32::MAX)
+    }
+}
+
 impl Tracer {
     /// [`Tracer::closest`] for the lanes of `live`: half-lines from `origin` along `directions` (x, y, z of each).
     pub fn closest16(&self, origin: Vec3, directions: &[[f32; LANES]; 3], live: u16) -> Hits16 {
-        let live = live & all_sound(origin, directions);
+        let live = if sound_origin(origin) { live } else { 0 };
         let mut best = PacketBest::none();
         self.flat.tree.closest16(self.kernel, origin, directions, live, &mut best);
         if self.has_placed() {
-            for i in lanes(live) {
+            for i in lanes(live).filter(|&i| sound_direction(lane(directions, i))) {
                 let mut single = best.lane(i);
                 self.closest_placed(&Ray::new(origin, lane(directions, i)), &mut single);
                 best.set(i, &single);
@@ -63,31 +74,30 @@ impl Tracer {
     /// [`Tracer::blocked`] for the lanes of `live`: which of the open segments from `origin` to `targets` are blocked.
     /// Fast if the targets are near each other; for shadows that makes the light the origin.
     pub fn occluded16(&self, origin: Vec3, targets: &[[f32; LANES]; 3], live: u16) -> u16 {
-        let mut directions = *targets;
-        for (axis, directions) in directions.iter_mut().enumerate() {
-            for d in directions {
-                *d -= origin[axis];
-            }
-        }
-        let live = live & all_sound(origin, &directions);
-        let mut blocked = self.flat.tree.occluded16(self.kernel, origin, &directions, targets, live);
+        self.occluded16_cached(origin, targets, live, &mut Occluder::default())
+    }
+
+    /// [`Tracer::occluded16`], faster where the segments resemble those that `occluder` was last given with: one light
+    /// and neighbouring points. The answer does not depend on it.
+    pub fn occluded16_cached(
+        &self,
+        origin: Vec3,
+        targets: &[[f32; LANES]; 3],
+        live: u16,
+        occluder: &mut Occluder,
+    ) -> u16 {
+        let live = if sound_origin(origin) { live } else { 0 };
+        let mut blocked = self.flat.tree.occluded16(self.kernel, origin, targets, live, &mut occluder.0);
         if self.has_placed() {
             for i in lanes(live & !blocked) {
-                let end = End::Point(lane(targets, i));
-                blocked |= u16::from(self.placed_stop(&Ray::between(origin, lane(targets, i)), end)) << i;
+                let ray = Ray::between(origin, lane(targets, i));
+                let stops =
+                    sound_direction(ray.direction) && self.placed_stop(&ray, End::Point(lane(targets, i)));
+                blocked |= u16::from(stops) << i;
             }
         }
         blocked
     }
-}
-
-/// Lanes that a ray can follow, as for a single ray.
-fn all_sound(origin: Vec3, directions: &[[f32; LANES]; 3]) -> u16 {
-    if !sound_origin(origin) {
-        return 0;
-    }
-    let [x, y, z] = directions;
-    mask(|i| sound_direction(Vec3::new(x[i], y[i], z[i])))
 }
 
 /// Numbers of the bits set.

@@ -2,7 +2,7 @@
 //! vectors that the machine has, with no change of a bit, for the compiler may neither reorder nor fuse arithmetic.
 //! Unsafe here: calls of functions for instructions that the machine was found to have.
 
-use super::Kernel;
+use super::{Kernel, LANES};
 
 /// Work worth compiling for each kernel: a struct of borrowed inputs, consumed by `run`.
 ///
@@ -47,10 +47,32 @@ fn avx512<W: Wide>(work: W) -> W::Out {
     work.run()
 }
 
+/// Lanes above zero. Ask it of what [`Wide`] work returns: within, it would narrow the vectors that lead to it.
+#[inline]
+pub fn positive(values: &[f32; LANES]) -> u16 {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: every machine of the architecture has these instructions.
+    return unsafe { sse2_positive(values) };
+    #[cfg(not(target_arch = "x86_64"))]
+    return (0..LANES).fold(0, |mask, k| mask | u16::from(values[k] > 0.0) << k);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "sse2")]
+fn sse2_positive(v: &[f32; LANES]) -> u16 {
+    use std::arch::x86_64::*;
+    let four = |i: usize| {
+        let above = _mm_cmpgt_ps(_mm_setr_ps(v[i], v[i + 1], v[i + 2], v[i + 3]), _mm_setzero_ps());
+        _mm_castps_si128(above)
+    };
+    let eight = |i: usize| _mm_packs_epi32(four(i), four(i + 4));
+    _mm_movemask_epi8(_mm_packs_epi16(eight(0), eight(8))) as u16
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::LANES;
     use crate::sequence::uniform;
 
     /// Sums of products, which fusing would round once instead of twice, a quotient, a root and a mask.
@@ -76,6 +98,19 @@ mod tests {
                 above |= u16::from(out[k] > 0.5) << k;
             }
             (out, above)
+        }
+    }
+
+    #[test]
+    fn positive_lanes_are_those_above_zero() {
+        let numbers = [0.0, -0.0, 1.0, -1.0, f32::NAN, f32::INFINITY, -f32::INFINITY, 1e-45, -1e-45];
+        for i in 0..1000 {
+            let draw = |k: usize| numbers[(uniform(3, i, k as u32) * numbers.len() as f32) as usize];
+            let values: [f32; LANES] = std::array::from_fn(draw);
+            let mask = positive(&values);
+            for (k, value) in values.iter().enumerate() {
+                assert_eq!(mask >> k & 1 == 1, *value > 0.0, "{value}");
+            }
         }
     }
 

@@ -30,7 +30,11 @@ mod portable;
 #[cfg(target_arch = "x86_64")]
 mod simd_avx2;
 #[cfg(target_arch = "x86_64")]
-mod simd_avx512;
+mod simd_block;
+#[cfg(target_arch = "x86_64")]
+mod simd_lanes;
+#[cfg(target_arch = "x86_64")]
+mod simd_packet;
 mod slab;
 #[cfg(test)]
 mod tests;
@@ -38,12 +42,13 @@ mod triangle;
 
 pub(super) use build::{Bounds, Item, build};
 pub(super) use graft::Grafted;
-pub(super) use packet::{PacketBest, mask};
+pub(super) use packet::PacketBest;
 pub(super) use slab::Slab;
 pub(super) use triangle::Plane;
 
 use super::packet::{LANES, lane, lanes};
 use super::screen::Screen;
+use super::tracer::sound_direction;
 use super::{Hit, Ray};
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
@@ -304,7 +309,7 @@ impl Tree {
     }
 }
 
-/// Sixteen rays of one origin; all directions of live lanes must be sound.
+/// Sixteen rays of one origin; directions that no ray can follow meet nothing.
 impl Tree {
     pub(super) fn closest16(
         &self,
@@ -317,35 +322,66 @@ impl Tree {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
-            Kernel::Avx512 => unsafe { simd_avx512::closest16(self, origin, directions, live, best) },
-            _ => {
-                for i in lanes(live) {
-                    let mut single = best.lane(i);
-                    self.closest(kernel, &Ray::new(origin, lane(directions, i)), None, &mut single);
-                    best.set(i, &single);
-                }
-            }
+            Kernel::Avx512 => unsafe { simd_packet::closest_avx512(self, origin, directions, live, best) },
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => unsafe { simd_packet::closest_avx2(self, origin, directions, live, best) },
+            _ => self.closest_one_by_one(kernel, origin, directions, live, best),
         }
     }
 
-    /// Lanes whose segments to `targets` are blocked; `directions` lead there.
-    pub(super) fn occluded16(
+    fn closest_one_by_one(
         &self,
         kernel: Kernel,
         origin: Vec3,
         directions: &[[f32; LANES]; 3],
+        live: u16,
+        best: &mut PacketBest,
+    ) {
+        for i in lanes(live) {
+            let ray = Ray::new(origin, lane(directions, i));
+            if sound_direction(ray.direction) {
+                let mut single = best.lane(i);
+                self.closest(kernel, &ray, None, &mut single);
+                best.set(i, &single);
+            }
+        }
+    }
+
+    /// Lanes whose segments to `targets` are blocked. The kernels that walk with all lanes ask the block of number
+    /// `first` before the others, and leave there the one that blocked last.
+    pub(super) fn occluded16(
+        &self,
+        kernel: Kernel,
+        origin: Vec3,
         targets: &[[f32; LANES]; 3],
         live: u16,
+        first: &mut u32,
     ) -> u16 {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
-            Kernel::Avx512 => unsafe { simd_avx512::occluded16(self, origin, directions, targets, live) },
-            _ => lanes(live).fold(0, |blocked, i| {
-                let (ray, end) = (Ray::new(origin, lane(directions, i)), End::Point(lane(targets, i)));
-                blocked | u16::from(self.occluded(kernel, &ray, end, None)) << i
-            }),
+            Kernel::Avx512 => unsafe { simd_packet::occluded_avx512(self, origin, targets, live, first) },
+            // SAFETY: as in `closest`.
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2 => unsafe { simd_packet::occluded_avx2(self, origin, targets, live, first) },
+            _ => self.occluded_one_by_one(kernel, origin, targets, live),
         }
+    }
+
+    fn occluded_one_by_one(
+        &self,
+        kernel: Kernel,
+        origin: Vec3,
+        targets: &[[f32; LANES]; 3],
+        live: u16,
+    ) -> u16 {
+        lanes(live).fold(0, |blocked, i| {
+            let target = lane(targets, i);
+            let ray = Ray::between(origin, target);
+            let hit = sound_direction(ray.direction) && self.occluded(kernel, &ray, End::Point(target), None);
+            blocked | u16::from(hit) << i
+        })
     }
 
     /// A ray against the boxes of the tree.

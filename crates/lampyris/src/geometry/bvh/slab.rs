@@ -45,12 +45,20 @@ impl Slab {
         }
     }
 
-    /// A direction almost in the plane of a slab counts as 2⁻⁶⁴ of the largest: within the widening of any box.
+    /// A direction almost in the plane of a slab counts as this much of the largest: within the widening of any box.
+    pub(super) const LEAST: f32 = 1.0 / 18_446_744_073_709_551_616.0;
+
     #[inline(always)]
-    pub(super) fn inverse(component: f32, largest: f32) -> f32 {
-        let least = largest * (1.0 / 18_446_744_073_709_551_616.0);
+    fn inverse(component: f32, largest: f32) -> f32 {
+        let least = largest * Slab::LEAST;
         let size = component.abs();
         1.0 / if size < least { least } else { size }.copysign(component)
+    }
+
+    /// Bounds the distance to any corner along each axis; nothing is known of those that are moved.
+    #[inline(always)]
+    pub(super) fn reach(&self, moved: bool) -> f32 {
+        if moved { f32::INFINITY } else { self.widening * (1.0 / WIDENING) * (1.0 + 4.0 * f32::EPSILON) }
     }
 
     /// Distances at which the line enters and leaves a box; it misses where the first exceeds the second.

@@ -120,17 +120,21 @@ fn walks_agree_with_brute_force() {
                 }
             }
             blocked += stopped.count_ones();
+            // Blocks at random to be asked first: none, any, and numbers that there are not.
+            let firsts = [NONE, (random(&mut state) * tree.blocks.len() as f32) as u32, 1 << 30];
             for kernel in kernels() {
                 let mut best = PacketBest::none();
                 tree.closest16(kernel, origin, &directions, live, &mut best);
                 for (i, expected) in expected.iter().enumerate() {
                     assert_eq!(best.lane(i).hit(), *expected, "{kernel:?}");
                 }
-                assert_eq!(
-                    tree.occluded16(kernel, origin, &directions, &targets, live),
-                    stopped,
-                    "{kernel:?}"
-                );
+                for mut first in firsts {
+                    // Then again with what blocked last.
+                    for _ in 0..2 {
+                        let found = tree.occluded16(kernel, origin, &targets, live, &mut first);
+                        assert_eq!(found, stopped, "{kernel:?} {first}");
+                    }
+                }
             }
         }
     }
