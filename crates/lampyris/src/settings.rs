@@ -22,8 +22,8 @@ pub struct Settings {
     pub clamp: f32,
     /// r ≥ 2, independent randomisations among which the batches alternate; their spread is the error.
     pub replicates: u32,
-    /// Caustic photons that leave the lights in one batch, dealt to them like light paths; half as many again leave the
-    /// vertices of the walk.
+    /// Caustic photons that leave the lights in one batch, dealt to them like light paths; as many again leave the vertices
+    /// of the walk. None are traced where nothing is sharp.
     pub photons: u32,
     /// Another seed, another picture of the same mean.
     pub seed: u32,

@@ -25,15 +25,12 @@ use rayon::prelude::*;
 use std::f32::consts::PI;
 use std::ops::Range;
 
-/// Photons from vertices of the walk over photons from lights: their light is weaker and softer.
-const FROM_VERTICES: f64 = 0.5;
-
 /// Photons from lights for each light path whose vertices send photons: if the batch has fewer paths, photons have a walk
 /// of their own, or the few vertices near a body would throw their images onto the walls.
 const PER_PATH: u32 = 4;
 
 /// The first radius, in mean distances between photons if all of a kind lay evenly in the shadows of the bodies.
-const RADIUS: [f32; 2] = [2.0, 6.0];
+const RADIUS: [f32; 2] = [3.0, 8.0];
 
 /// The largest first radius, in radii of the scene.
 const WIDEST: f32 = 0.05;
@@ -160,7 +157,7 @@ fn vertices<'a, 'w>(
     let number = (0..).zip(running).filter(|(_, running)| !running.is_empty());
     let source = |(emitter, running): (u32, Vec<(f64, &'a Vpl<'w>)>)| {
         let share = f64::from(world.shares()[emitter as usize]);
-        let count = (FROM_VERTICES * f64::from(settings.photons) * share).ceil() as u32;
+        let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
             origin: Origin::Vertices(running, f64::from(passes)),
