@@ -81,13 +81,13 @@ pub struct Statistics {
 pub struct Rays {
     /// From the eye, through mirrors and glass too.
     pub eye: u64,
-    /// Of the particles.
+    /// Of the particles, caustic photons among them.
     pub particle: u64,
     /// Between a point and a light or virtual light, by way of a mirror too.
     pub shadow: u64,
     /// Short rays that pay back what clamping took, and the shadow rays at their ends.
     pub compensation: u64,
-    /// Of the path tracer, for `path` and `caustic`.
+    /// Of the path tracer, for `path` and `caustic-path`.
     pub path: u64,
 }
 
