@@ -129,7 +129,7 @@ pub(crate) struct EstimateArgs {
     /// Light paths started in one batch [default: 1600; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
-    /// Caustic photons in one batch, where anything is sharp; half as many again for indirect light [default: 8192]
+    /// Caustic photons from the lights in one batch, and as many again from where light was reflected [default: 32768]
     #[arg(long, value_name = "N")]
     pub(crate) photons: Option<u32>,
     /// Batches [default: 32, 8 unfiltered, or as many as --time allows]
