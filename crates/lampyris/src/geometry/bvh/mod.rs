@@ -277,6 +277,7 @@ impl Tree {
 
     /// Offers `best` what a ray of the world meets. If the tree is that of a shared mesh, it also needs the place of the
     /// instance and the ray against the boxes of that mesh. Rays are made ready in the kernels, where it costs least.
+    #[inline]
     pub(super) fn closest(
         &self,
         kernel: Kernel,
@@ -293,6 +294,7 @@ impl Tree {
     }
 
     /// Does a ray meet anything before its end? Otherwise as [`Tree::closest`].
+    #[inline]
     pub(super) fn occluded(
         &self,
         kernel: Kernel,
