@@ -7,6 +7,7 @@
 use crate::cli::BenchArgs;
 use crate::failure::Failure;
 use crate::{interrupt, say};
+use lampyris::Error;
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
@@ -20,7 +21,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 /// The workload of a scene: samples a pixel on lights and on surfaces, and the longest path.
-struct Workload {
+pub(crate) struct Workload {
     file: &'static str,
     light_points: u32,
     vpls: u32,
@@ -79,7 +80,8 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
                 break;
             }
             let mut machine = Machine::new(file, *threads, args)?;
-            let settings = wald(&machine.backend, workload);
+            let nothing = || Error::BadSetting("nothing to measure".into());
+            let settings = wald(machine.backend.world().ok_or_else(nothing)?, workload);
             rows.push(machine.measure("wald", settings)?);
             if args.picked {
                 rows.push(machine.measure("picked", Settings::interactive())?);
@@ -94,7 +96,8 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn workload_of(file: &Path) -> &'static Workload {
+/// The workload that the paper gives a scene of ours, by the file's name, or the usual one.
+pub(crate) fn workload_of(file: &Path) -> &'static Workload {
     let name = file.file_name();
     WORKLOADS.iter().find(|w| name == Some(w.file.as_ref())).unwrap_or(&OTHERS)
 }
@@ -186,7 +189,7 @@ struct PerFrame {
 }
 
 /// The paper's workload: so many paths that a class has the virtual lights asked for in the mean.
-fn wald(backend: &Cpu, workload: &Workload) -> Settings {
+pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
     const CLASSES: u32 = 9;
     let settings = Settings {
         parts: ["emission", "direct", "vpl"].map(String::from).into(),
@@ -198,7 +201,6 @@ fn wald(backend: &Cpu, workload: &Workload) -> Settings {
         filter: true,
         ..Settings::default()
     };
-    let Some(world) = backend.world() else { return settings };
     let plan = Plan::new(world, &settings);
     let tried: usize =
         (0..4).map(|index| Walk::new(world, &settings, &plan, Batch { index }).vpls.len()).sum();

@@ -24,6 +24,19 @@ Examples:
 The picture is in cd/m². OpenEXR holds just that; PNG shows it through --exposure and
 --tone, HDR through --exposure and, if given, --tone. Ctrl-C writes what is there, a second Ctrl-C ends at once.";
 
+const PLAY_EXAMPLES: &str = "\
+Examples:
+  lampyris play walk.json -o frame_%04d.png
+      a picture for each frame, of the scene that the script names
+  lampyris play walk.json room.mgf -o walk.y4m --settle 4
+      a film of another scene, four batches a frame
+  lampyris play walk.json --flicker 64 --json
+      how much it flickers, against frames of 64 batches
+
+A script is JSON, described in docs/formats.md: {\"scene\": \"room.mgf\", \"frames\": 60, \"camera\":
+[{\"frame\": 0, \"eye\": [1, 2, 1.6], \"target\": [4, 2, 1.2]}, …], \"lights\": …, \"objects\": …}.
+Ctrl-C ends after the frame at hand and keeps those that are written.";
+
 const MEASURE_EXAMPLES: &str = "\
 Examples:
   lampyris measure room.mgf --points desk.txt
@@ -32,6 +45,23 @@ Examples:
 Each line of the file is a meter: x y z nx ny nz [m; the normal of the side that measures].
 Further columns, empty lines and lines that start with # are ignored. The error is half the
 95 % interval, in lux.";
+
+/// What a frame fixes.
+const FRAME_CONFLICTS: [&str; 13] = [
+    "parts",
+    "paths",
+    "batches",
+    "spp",
+    "interleave",
+    "light_points",
+    "picks",
+    "time",
+    "no_compensate",
+    "clamp",
+    "absorption",
+    "sequence",
+    "filter",
+];
 
 /// A heading of single arguments: one of a whole struct would cover all that follow it.
 const LIMITS: &str = "Limits on what a scene may ask for";
@@ -49,6 +79,9 @@ pub(crate) enum Command {
     /// Render a picture of a scene
     #[command(after_help = RENDER_EXAMPLES)]
     Render(Box<RenderArgs>),
+    /// Play a script: a walkthrough with camera, lights and objects in motion
+    #[command(after_help = PLAY_EXAMPLES)]
+    Play(Box<PlayArgs>),
     /// Measure illuminance [lx] at points of a scene
     #[command(after_help = MEASURE_EXAMPLES)]
     Measure(MeasureArgs),
@@ -76,6 +109,9 @@ pub(crate) struct RenderArgs {
     pub(crate) view: ViewArgs,
     #[command(flatten)]
     pub(crate) estimate: EstimateArgs,
+    /// One frame as a session shows it first: one short batch, filtered
+    #[arg(long, conflicts_with_all = FRAME_CONFLICTS)]
+    pub(crate) frame: bool,
     /// Exposure value of PNG and HDR: 100 cd/m² divided by 2^EV is white; auto finds it
     #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
     pub(crate) exposure: Exposure,
@@ -92,6 +128,56 @@ pub(crate) struct RenderArgs {
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,
+    /// Print a report as one JSON value
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PlayArgs {
+    /// Script in JSON
+    #[arg(value_name = "SCRIPT")]
+    pub(crate) script: PathBuf,
+    /// Scene file [default: the script's]
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
+    /// Pictures to write, frame_%04d.png or another format, or a film, .y4m, - for standard output; may repeat
+    #[arg(short, long = "output", value_name = "FILE", required_unless_present = "flicker")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Width and height [pixels; default: the script's, or 640x480]
+    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    pub(crate) size: Option<(u32, u32)>,
+    #[command(flatten)]
+    pub(crate) view: ViewArgs,
+    /// Batches a frame
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) settle: u32,
+    /// Frames of the workload of `lampyris bench` in its mode wald: every virtual light of a class traced
+    #[arg(long)]
+    pub(crate) wald: bool,
+    /// Also measure flicker, against frames of that many batches
+    #[arg(long, value_name = "BATCHES", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) flicker: Option<u32>,
+    /// Another seed, other pictures of the same mean
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u32,
+    /// Threads [default: one a core]; the frames do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) threads: Option<u32>,
+    /// Exposure value of PNG, HDR and films: 100 cd/m² divided by 2^EV is white; auto finds it in the first frame
+    #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
+    pub(crate) exposure: Exposure,
+    /// Tone curve: linear, reinhard, filmic [default: filmic, linear in HDR]
+    #[arg(long, value_name = "NAME", value_parser = parse::tone)]
+    pub(crate) tone: Option<ToneCurve>,
+    /// Leave single bright speckles in PNG and films
+    #[arg(long)]
+    pub(crate) no_despeckle: bool,
     /// Print a report as one JSON value
     #[arg(long)]
     pub(crate) json: bool,
@@ -121,7 +207,7 @@ pub(crate) struct ViewArgs {
 }
 
 /// How the light is estimated.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct EstimateArgs {
     /// Parts to add up: all, path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
@@ -129,7 +215,7 @@ pub(crate) struct EstimateArgs {
     /// Light paths started in one batch [default: 1600; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
-    /// Caustic photons in one batch, where anything is sharp; half as many again for indirect light [default: 8192]
+    /// Caustic photons from the lights in one batch, and as many again from where light was reflected [default: 32768]
     #[arg(long, value_name = "N")]
     pub(crate) photons: Option<u32>,
     /// Batches [default: 32, 8 unfiltered, or as many as --time allows]
@@ -188,6 +274,13 @@ pub(crate) struct SceneArgs {
     /// Scene file
     #[arg(value_name = "SCENE")]
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
+}
+
+/// How a scene is read.
+#[derive(Debug, Args)]
+pub(crate) struct ReadingArgs {
     /// Folder beneath which every file must lie [default: the scene's own]
     #[arg(long, value_name = "DIR")]
     pub(crate) root: Option<PathBuf>,

@@ -2,6 +2,7 @@
 
 use crate::cli::InfoArgs;
 use crate::failure::Failure;
+use crate::play::{lamp_names, object_names};
 use crate::{say, scene_file};
 use lampyris::light::{Bounds, Emitter};
 use lampyris::scene::{Scene, upward};
@@ -23,6 +24,9 @@ struct Figures {
     bounds: Option<[[f32; 3]; 2]>,
     up: [f32; 3],
     cameras: Vec<String>,
+    /// Names of what shines and of all objects, each once: a script calls them so.
+    lamps: Vec<String>,
+    objects: Vec<String>,
     warnings: Vec<String>,
 }
 
@@ -53,6 +57,8 @@ fn figures(scene: &Scene, warnings: Vec<String>) -> Figures {
         bounds: sum.bounds.map(|corners| corners.map(Into::into)),
         up: upward(scene).into(),
         cameras: scene.cameras.iter().map(|c| c.name.clone()).collect(),
+        lamps: lamp_names(scene).into_iter().map(str::to_owned).collect(),
+        objects: object_names(scene).into_iter().map(str::to_owned).collect(),
         warnings,
     }
 }

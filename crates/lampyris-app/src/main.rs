@@ -12,6 +12,7 @@ mod list;
 mod measure;
 mod memory;
 mod parse;
+mod play;
 mod progress;
 mod render;
 mod say;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
     interrupt::watch();
     let done = match command {
         Command::Render(args) => render::render(&args),
+        Command::Play(args) => play::play(&args),
         Command::Measure(args) => measure::measure(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Info(args) => info::info(&args),

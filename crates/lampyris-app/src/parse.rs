@@ -5,7 +5,7 @@ use lampyris::output::{Exposure, ToneCurve};
 use std::time::Duration;
 
 /// Pixels a picture may have: its sums take some hundred bytes each.
-const PIXELS: u64 = 1 << 26;
+pub(crate) const PIXELS: u64 = 1 << 26;
 
 /// `x,y,z`, finite.
 pub(crate) fn vector(text: &str) -> Result<Vec3, String> {

@@ -35,6 +35,31 @@ impl Progress {
     }
 }
 
+/// The line of a walkthrough.
+pub(crate) struct FrameProgress(ProgressBar);
+
+impl FrameProgress {
+    /// A line for so many frames; none if `quiet`.
+    pub(crate) fn new(frames: u32, quiet: bool) -> FrameProgress {
+        let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(frames.into()) };
+        if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} frames {msg}") {
+            bar.set_style(style);
+        }
+        FrameProgress(bar)
+    }
+
+    /// `done` frames are, of `seconds` in the median.
+    pub(crate) fn step(&self, done: u32, seconds: f32) {
+        self.0.set_position(done.into());
+        self.0.set_message(format!("of {seconds:.3} s"));
+    }
+
+    /// Takes the line away.
+    pub(crate) fn end(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
 /// An error for people.
 pub(crate) fn error_text(error: f32) -> String {
     if error.is_finite() { format!("error {:.2} %", error * 100.0) } else { "error not yet known".into() }

@@ -1,6 +1,6 @@
 //! `lampyris render`: from a scene file to pictures.
 
-use crate::cli::RenderArgs;
+use crate::cli::{EstimateArgs, RenderArgs};
 use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::{Progress, error_text};
 use crate::{estimate, interrupt, memory, say, scene_file, viewing};
@@ -73,15 +73,20 @@ struct Seconds {
 pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let outputs = outputs(args)?;
+    let asked = if args.frame {
+        EstimateArgs { batches: Some(1), ..args.estimate.clone() }
+    } else {
+        args.estimate.clone()
+    };
     // Bad arguments are told of before anything is read.
-    estimate::for_picture(&args.estimate, args.filter, args.size, false)?;
+    estimate::for_picture(&asked, args.filter, args.size, false)?;
     let loaded = scene_file::load(&args.scene, args.quiet)?;
     let textured = !loaded.scene.textures.is_empty();
-    let settings = estimate::for_picture(&args.estimate, args.filter, args.size, textured)?;
+    let settings = estimate::for_picture(&asked, args.filter, args.size, textured)?;
     let settings = Settings { auxiliary: args.aov, ..settings };
     let loaded_at = Instant::now();
 
-    let mut backend = Cpu::new(args.estimate.threads.map(|n| n as usize))?;
+    let mut backend = Cpu::new(asked.threads.map(|n| n as usize))?;
     let world = backend.install(|| World::new(loaded.scene));
     let built_at = Instant::now();
 
@@ -94,8 +99,8 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let viewed_at = Instant::now();
 
     backend.begin_world(world, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
-    let progress = Progress::new(&args.estimate, settings.filter, args.quiet);
-    let interrupted = estimate::run(&mut backend, &args.estimate, settings.filter, start, &progress)?;
+    let progress = Progress::new(&asked, settings.filter, args.quiet);
+    let interrupted = estimate::run(&mut backend, &asked, settings.filter, start, &progress)?;
     let rendered_at = Instant::now();
 
     let Statistics { rays, vpls, non_finite } = backend.statistics();

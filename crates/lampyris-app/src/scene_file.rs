@@ -1,14 +1,20 @@
 //! Loading a scene as the arguments say, and passing on what was odd about it.
 
-use crate::cli::SceneArgs;
+use crate::cli::{ReadingArgs, SceneArgs};
 use crate::failure::Failure;
 use crate::say;
 use lampyris::Rgb;
 use lampyris::import::{self, Limits, Loaded, Options};
 use lampyris::scene::{Scene, upward};
+use std::path::Path;
 
 /// Loads the scene; warnings go to standard error unless `quiet`.
 pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
+    read(&args.file, &args.reading, quiet)
+}
+
+/// [`load`] of a file.
+pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Loaded, Failure> {
     let (l, d) = (&args.limits, Limits::default());
     let limits = Limits {
         file_bytes: l.max_file_bytes.unwrap_or(d.file_bytes),
@@ -32,7 +38,7 @@ pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
         limits,
         circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
     };
-    let mut loaded = import::load(&args.file, &options)?;
+    let mut loaded = import::load(file, &options)?;
     if let Some(file) = &args.environment {
         // A sky must know what is overhead, and not every format says.
         loaded.scene.up = Some(upward(&loaded.scene));

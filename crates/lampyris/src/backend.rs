@@ -26,7 +26,7 @@ impl Default for Settings {
             sequence: Sequence::default(),
             clamp: 1.5,
             replicates: 4,
-            photons: 1 << 13,
+            photons: 1 << 15,
             seed: 0,
             filter: false,
             auxiliary: false,

@@ -73,12 +73,15 @@ impl Cpu {
         let integrators = integrator::select(&settings.parts)?;
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
         let (width, height) = eye.size();
+        // Meters have no neighbours.
+        let filter = settings.filter && matches!(eye, Eye::Camera(_));
+        let settings = Settings { filter, ..settings.clone() };
         self.job = Some(Job {
-            plan: Plan::new(&world, settings),
-            frame: Frame::new(width, height, &names, settings),
+            plan: Plan::new(&world, &settings),
+            frame: Frame::new(width, height, &names, &settings),
             seen: settings.filter.then(|| Seen::new(width, height)),
             statistics: Statistics::default(),
-            settings: settings.clone(),
+            settings,
             world,
             eye,
             integrators,

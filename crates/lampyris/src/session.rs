@@ -5,7 +5,7 @@
 //! one begun anew with [`Session::scene`]. Whatever changes light, or where it is seen from, starts the picture at batch
 //! 0 again.
 
-use crate::backend::{Backend, Batch, Settings};
+use crate::backend::{Backend, Batch, Settings, Statistics};
 use crate::cpu::Cpu;
 use crate::error::{Error, Result};
 use crate::eye::Eye;
@@ -116,6 +116,22 @@ impl Session {
             self.step()?;
         }
         Ok(())
+    }
+
+    /// Starts the picture again with other settings.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] for settings that make no sense; nothing is changed then.
+    pub fn set(&mut self, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        self.settings = settings.clone();
+        let eye = eye(self.scene()?.view.as_ref(), self.size)?;
+        self.cpu.restart(eye, &self.settings)
+    }
+
+    /// What was done since the picture was started last.
+    pub fn statistics(&self) -> Statistics {
+        self.cpu.statistics()
     }
 
     /// The picture as it stands.

@@ -32,8 +32,8 @@ pub struct Settings {
     pub clamp: f32,
     /// r ≥ 2, independent randomisations among which the batches alternate; their spread is the error.
     pub replicates: u32,
-    /// Caustic photons that leave the lights in one batch, dealt to them like light paths; half as many again leave the
-    /// vertices of the walk.
+    /// Caustic photons that leave the lights in one batch, dealt to them like light paths; as many again leave the vertices
+    /// of the walk. None are traced where nothing is sharp.
     pub photons: u32,
     /// Another seed, another picture of the same mean.
     pub seed: u32,
@@ -98,13 +98,13 @@ pub struct Statistics {
 pub struct Rays {
     /// From the eye, through mirrors and glass too.
     pub eye: u64,
-    /// Of the particles.
+    /// Of the particles, caustic photons among them.
     pub particle: u64,
     /// Between a point and a light or virtual light, by way of a mirror too.
     pub shadow: u64,
     /// Short rays that pay back what clamping took, and the shadow rays at their ends.
     pub compensation: u64,
-    /// Of the path tracer, for `path` and `caustic`.
+    /// Of the path tracer, for `path` and `caustic-path`.
     pub path: u64,
 }
 

@@ -40,7 +40,7 @@ fn bits(threads: usize, eye: &Eye, settings: &Settings) -> Vec<u32> {
     (0..5).for_each(|index| cpu.add(Batch { index }).expect("a batch"));
     let frame = cpu.frame().expect("begun");
     let names: Vec<String> = frame.part_names().map(str::to_owned).collect();
-    let mut all = frame.mean();
+    let mut all = [frame.mean(), frame.shown()].concat();
     all.extend(names.iter().flat_map(|n| frame.part(n).expect("rendered")));
     all.iter().flat_map(|v| v.to_array().map(f32::to_bits)).collect()
 }
@@ -53,7 +53,8 @@ fn eyes() -> [Eye; 2] {
 #[test]
 fn any_number_of_threads_and_any_run() {
     for eye in eyes() {
-        for s in [settings(FAST, 20, 7, 1), settings(ORACLE, 1, 3, 1)] {
+        let shown = Settings { paths: 100, photons: 500, ..Settings::interactive() };
+        for s in [settings(FAST, 20, 7, 1), settings(ORACLE, 1, 3, 1), shown] {
             let one = bits(1, &eye, &s);
             assert!(one.iter().any(|b| *b != 0), "a black picture proves nothing");
             for threads in [1, 2, 3, 7] {
@@ -94,6 +95,36 @@ fn a_machine_used_before() {
         cpu.frame().expect("begun").mean()
     };
     assert_eq!(picture(false), picture(true));
+}
+
+/// Short of the exact sums what is shown is another picture than their mean, and nearer to a long mean, on surfaces that are
+/// smooth at least.
+#[test]
+fn what_is_shown_is_nearer() {
+    let mut b = Build::default();
+    let [red, white] = [b.grey(0.3), b.grey(0.8)];
+    b.room(Vec3::ZERO, Vec3::splat(2.0), [red, white, white, white, white, white]);
+    b.block(Vec3::new(0.3, 0.0, 0.3), Vec3::new(0.9, 0.8, 0.9), white);
+    let glow = b.glow(10.0);
+    b.quad(Vec3::new(0.7, 1.95, 0.7), Vec3::X * 0.6, Vec3::Z * 0.6, glow);
+    let [eye, _] = eyes();
+    let pictures = |settings: &Settings, batches: u32| {
+        let mut cpu = Cpu::new(None).expect("threads");
+        cpu.begin(b.0.clone(), eye.clone(), settings).expect("sound");
+        (0..batches).for_each(|index| cpu.add(Batch { index }).expect("a batch"));
+        let frame = cpu.frame().expect("begun");
+        [frame.mean(), frame.shown()]
+    };
+    let few = Settings { paths: 400, ..Settings::interactive() };
+    let [truth, _] = pictures(&settings(FAST, 256, 64, 9), 16);
+    let [mean, shown] = pictures(&few, 4);
+    let error = |picture: &[Rgb]| {
+        let pairs = picture.iter().zip(&truth).map(|(p, t)| (p.luminance(), t.luminance()));
+        pairs.filter(|(_, t)| *t < 5.0).map(|(p, t)| ((p - t) / (t + 0.1)).powi(2)).sum::<f32>()
+    };
+    let gain = error(&mean) / error(&shown);
+    support::say(format_args!("squared error of the mean over that of what is shown: {gain:.1}"));
+    assert!(gain > 4.0, "filtering gains {gain}");
 }
 
 /// Another seed is another picture; so is another batch.

@@ -26,6 +26,7 @@ fn same_figures(edited: &World, fresh: &World, when: &str) {
     assert_eq!(edited.shares(), fresh.shares(), "{when}");
     assert_eq!(edited.chances(), fresh.chances(), "{when}");
     assert_eq!(edited.mirrors(), fresh.mirrors(), "{when}");
+    assert_eq!(edited.bodies().all(), fresh.bodies().all(), "{when}");
     let told = |w: &World| (w.has_lamps(), w.has_environment(), w.has_sharp_surfaces());
     assert_eq!(told(edited), told(fresh), "{when}");
     for (k, (a, b)) in edited.emitters().iter().zip(fresh.emitters()).enumerate() {
@@ -48,7 +49,8 @@ fn same_rays(edited: &World, fresh: &World, rays: usize, c: &mut Chance, when: &
         let seen = |w: &World| {
             let s = w.surface(direction, &hit);
             let side = w.emitter_of(&s);
-            format!("{s:?} {side:?} {} {:?}", w.pdf_toward(&s, origin), w.all_flat(hit.instance))
+            let body = w.bodies().of(&s);
+            format!("{s:?} {side:?} {body:?} {} {:?}", w.pdf_toward(&s, origin), w.all_flat(hit.instance))
         };
         assert_eq!(seen(edited), seen(fresh), "{when}");
         let glows = |w: &World| {
@@ -189,6 +191,7 @@ fn unsound_edits_change_nothing() {
     let object = |mesh, transform| Instance { name: String::new(), mesh, transform };
     let camera = |fov_y| Some(Camera { fov_y, ..scene.view.clone().expect("a view") });
     let glow = |emission| Material { emission, ..Material::new("", diffuse(0.5)) };
+    let boxed = Box::new;
     let edits = [
         Edit::Light { light: 5, kind: point(Rgb::WHITE) },
         Edit::Light { light: 0, kind: point(Rgb::grey(nan)) },
@@ -203,9 +206,9 @@ fn unsound_edits_change_nothing() {
         Edit::Mesh { instance: 0, mesh: Some(Instance::AWAY) },
         Edit::AddInstance { instance: object(99, Affine3A::IDENTITY) },
         Edit::AddInstance { instance: object(0, flat) },
-        Edit::Material { material: 99, to: Material::new("", glass()) },
-        Edit::Material { material: 0, to: Material::new("", diffuse(1.5)) },
-        Edit::Material { material: 0, to: glow(Rgb::grey(nan)) },
+        Edit::Material { material: 99, to: boxed(Material::new("", glass())) },
+        Edit::Material { material: 0, to: boxed(Material::new("", diffuse(1.5))) },
+        Edit::Material { material: 0, to: boxed(glow(Rgb::grey(nan))) },
         Edit::Emission { material: 99, emission: Rgb::WHITE },
         Edit::Emission { material: 0, emission: Rgb::grey(2e18) },
         Edit::View { camera: camera(180.0) },

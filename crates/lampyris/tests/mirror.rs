@@ -304,7 +304,7 @@ fn mirrors_of_the_scenes_that_ship() {
 }
 
 /// A lamp beside a mirror wall: images against paths from the eye that must find it, the same mean and far less
-/// noise. A mirror that might have holes, but has none, is left to the part *caustic*.
+/// noise. A mirror that might have holes, but has none, is left to *caustic*, whose oracle is asked here.
 #[test]
 fn images_are_quieter_than_paths() {
     let light_over_mirror = |coverage: Coverage, seed: u32| {
@@ -316,7 +316,7 @@ fn images_are_quieter_than_paths() {
         let (center, radiance) = (Vec3::new(1.0, 2.0, 1.5), Rgb::grey(100.0));
         b.light(LightKind::Sphere { center, radius: 0.2, radiance });
         let eye = view(Vec3::new(2.5, 1.5, 2.5), Vec3::new(1.5, 0.5, 0.5), 60.0, 24, 16);
-        render(&b.0, eye, &settings(&["mirror", "caustic"], 64, 8, seed), 8)
+        render(&b.0, eye, &settings(&["mirror", "caustic-path"], 64, 8, seed), 8)
     };
     let holes = Coverage::Mask { factor: 1.0, cutoff: 0.5 };
     let sides = [Coverage::Full, holes].map(|coverage| {

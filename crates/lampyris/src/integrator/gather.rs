@@ -4,7 +4,7 @@
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
 use super::Pass;
-use super::pick::pick;
+use super::pick::{Open, pick};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::{Kernel, Ray, Wide, lanes};
@@ -135,7 +135,7 @@ pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Rgb], ra
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
-        pick(world.tracer().kernel(), p, pass.beacons, most, u, |k, factor| {
+        pick(world.tracer().kernel(), p, (pass.beacons, Open), most, u, |k, factor| {
             gathered.add(world, &pass.vpls[k], factor, rays);
         });
         add(p, &gathered.radiance(), out);

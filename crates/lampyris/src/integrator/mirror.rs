@@ -4,16 +4,15 @@
 //! So also the light of points and spots is found, which no path from the eye can aim at. Curved mirrors, glass, polish
 //! and more than one mirror in a row make no images; such paths are *caustic*'s.
 
-use super::compensation::{self, VPLS};
-use super::direct::{self, LIGHTS};
+use super::pick::pick;
 use super::short::Way;
-use super::{Integrator, Pass, STRIDE, gather, turn_of};
+use super::{Integrator, Pass, STRIDE, compensation, direct, gather, turn_of};
 use crate::color::Rgb;
 use crate::eye::{LANES, Numbers, Packet, Tile};
 use crate::geometry::{Ray, lane, lanes};
 use crate::light::Shine;
 use crate::material::Class;
-use crate::particle::Vpl;
+use crate::particle::{Beacon, Vpl};
 use crate::sequence::{self, ledger::eye as ledger};
 use crate::settings::Rays;
 use crate::world::{Mirror as Plane, Surface, World};
@@ -21,6 +20,13 @@ use glam::Vec3;
 
 /// Mirrors that reflect less make their images by chance, in proportion: a window pane costs less than a looking-glass.
 const SURE: f32 = 0.25;
+
+/// Lights, and virtual lights, whose images stand for all of them where a single point is shaded: what is over a mirror at
+/// the end of a short ray matters little.
+const SOURCES: usize = 1;
+
+/// Images picked in a perfect mirror for each virtual light picked: one costs three times as much, and gives less.
+const MIRRORED: f32 = 0.25;
 
 /// Paths L (S|D)* D M D S* E and L M D S* E.
 pub(super) struct Mirror;
@@ -43,7 +49,15 @@ impl Integrator for Mirror {
         if world.mirrors().is_empty() {
             return;
         }
-        let lights = pass.lights.iter().chain(pass.vpls);
+        // Many virtual lights are picked among packet by packet.
+        let picks = pass.settings.picks.filter(|most| (*most as usize) < pass.vpls.len());
+        let many: Vec<(u8, Vec<Beacon>)> = match picks {
+            Some(_) => {
+                (0..).zip(world.mirrors()).map(|(k, plane)| (k, images(plane, pass.beacons))).collect()
+            }
+            None => Vec::new(),
+        };
+        let lights = pass.lights.iter().chain(if picks.is_none() { pass.vpls } else { &[] });
         let seed = sequence::hash(pass.sampling.seed, b'm'.into());
         let images: Vec<Image<'w>> = lights
             .flat_map(|light| Image::all(world, light))
@@ -51,7 +65,12 @@ impl Integrator for Mirror {
             .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
             .collect();
         for p in tile.packets.iter().filter(|p| p.live != 0) {
-            let radiance = packet(world, p, &images, &mut rays.shadow);
+            let mut radiance = packet(world, p, &images, &mut rays.shadow);
+            if let Some(most) = picks {
+                let picked = picked(pass, p, &many, most);
+                let more = packet(world, p, &picked, &mut rays.shadow);
+                lanes(p.live).for_each(|k| radiance[k] += more[k]);
+            }
             for k in lanes(p.live) {
                 out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
             }
@@ -87,8 +106,36 @@ pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut 
         })
     };
     let rays_before = &mut rays.compensation;
-    let far = some(pass.lights, LIGHTS, rays_before) + some(pass.vpls, VPLS, rays_before);
+    let far = some(pass.lights, SOURCES, rays_before) + some(pass.vpls, SOURCES, rays_before);
     far + direct::near_light(pass, x, Way::Folded, numbers, rays)
+}
+
+/// What picking asks of the images of virtual lights in a mirror.
+fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
+    let image = |b: &Beacon| Beacon {
+        position: plane.image(b.position),
+        normal: plane.turned(b.normal),
+        weight: b.weight * plane.strength(),
+        bound: b.bound,
+    };
+    beacons.iter().map(image).collect()
+}
+
+/// The images of virtual lights that a packet traces: the stronger a mirror the more, one at least.
+fn picked<'w>(pass: &Pass<'w>, p: &Packet<'_>, many: &[(u8, Vec<Beacon>)], most: u32) -> Vec<Image<'w>> {
+    let world = pass.world;
+    let first = p.numbers[p.live.trailing_zeros() as usize].branch(b'm'.into());
+    let mut images = Vec::new();
+    for (number, beacons) in many {
+        let plane = &world.mirrors()[*number as usize];
+        let share = (MIRRORED * most as f32 * plane.strength()).ceil().max(1.0) as u32;
+        let u = first.branch(u32::from(*number)).one(ledger::PICK);
+        pick(world.tracer().kernel(), p, (beacons, plane), share, u, |k, factor| {
+            let image = Image::new(plane, *number, &pass.vpls[k]);
+            images.extend(image.map(|image| Image { weight: factor, ..image }));
+        });
+    }
+    images
 }
 
 fn may_be_near(world: &World, extent: [Vec3; 2], reach: f32) -> bool {

@@ -8,16 +8,43 @@
 use crate::eye::{LANES, Packet};
 use crate::geometry::{Kernel, Wide};
 use crate::particle::Beacon;
+use crate::world::Mirror;
+use glam::Vec3;
 
 /// Lights that one comb goes over. A longer list is cut, and the teeth are shared out.
 const RUN: usize = 512;
+
+/// What a light shines through on its way to a point.
+pub(super) trait Window: Copy {
+    /// Whether something at `at` may be seen from a point that is `away` from it, x y z.
+    fn may_show(self, at: [f32; 3], away: [f32; 3]) -> bool;
+}
+
+/// Nothing: all of it can be seen.
+#[derive(Clone, Copy)]
+pub(super) struct Open;
+
+impl Window for Open {
+    #[inline(always)]
+    fn may_show(self, _: [f32; 3], _: [f32; 3]) -> bool {
+        true
+    }
+}
+
+/// A planar mirror, for images behind it.
+impl Window for &Mirror {
+    #[inline(always)]
+    fn may_show(self, [x, y, z]: [f32; 3], [dx, dy, dz]: [f32; 3]) -> bool {
+        self.may_be_crossed(Vec3::new(x, y, z), Vec3::new(dx, dy, dz))
+    }
+}
 
 /// Calls `each` with the numbers of the lights that a packet traces, about `most` of them, and the factors that make them
 /// stand for all; `u` in [0, 1) places the comb.
 pub(super) fn pick(
     kernel: Kernel,
     p: &Packet<'_>,
-    beacons: &[Beacon],
+    (beacons, window): (&[Beacon], impl Window),
     most: u32,
     u: f32,
     mut each: impl FnMut(usize, f32),
@@ -29,7 +56,7 @@ pub(super) fn pick(
     let mut weights = [0.0; RUN];
     for (number, run) in beacons.chunks(length).enumerate() {
         let weights = &mut weights[..run.len()];
-        let total = kernel.run(Weigh { points: &points, run, weights });
+        let total = kernel.run(Weigh { points: &points, run, window, weights });
         if !(total > 0.0 && total < f32::INFINITY) {
             continue;
         }
@@ -67,14 +94,15 @@ impl<'p, 'w> Points<'p, 'w> {
     }
 }
 
-/// What each light would give all points together, but for visibility and what they are made of.
-struct Weigh<'a, 'p, 'w> {
+/// What each light would give all points together through a window, but for visibility and what they are made of.
+struct Weigh<'a, 'p, 'w, W> {
     points: &'a Points<'p, 'w>,
     run: &'a [Beacon],
+    window: W,
     weights: &'a mut [f32],
 }
 
-impl Wide for Weigh<'_, '_, '_> {
+impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
     type Out = f32;
 
     #[inline(always)]
@@ -94,7 +122,8 @@ impl Wide for Weigh<'_, '_, '_> {
                 let cos_x = if cos_x > passes { cos_x } else { passes };
                 let g = cos_x * cos_y / (d2 * d2);
                 let bounded = if g < beacon.bound { g } else { beacon.bound };
-                terms[k] = if cos_y > 0.0 && d2 > 0.0 { bounded * live[k] } else { 0.0 };
+                let may_show = self.window.may_show([x[k], y[k], z[k]], [dx, dy, dz]);
+                terms[k] = if cos_y > 0.0 && d2 > 0.0 && may_show { bounded * live[k] } else { 0.0 };
             }
             let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
             let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);

@@ -11,12 +11,16 @@ mod hdr;
 mod picture;
 mod png;
 mod tone;
+pub mod y4m;
 
 pub use exposure::Exposure;
 pub use picture::{Layer, Picture, Plane};
 pub use tone::{ToneCurve, srgb};
 
+use crate::color::Rgb;
 use crate::error::{Error, Result};
+use despeckle::despeckle;
+use rayon::prelude::*;
 use std::path::Path;
 
 /// How scene light becomes display light, in the formats that hold what a display shows.
@@ -76,10 +80,21 @@ pub fn save(path: &Path, picture: &Picture, display: &Display) -> Result<()> {
     atomic::write(path, &bytes).map_err(|e| cannot(e.to_string()))
 }
 
+/// What a display shows of a picture: 8-bit sRGB, filmic where no curve is named.
+pub fn display(picture: &Picture, options: &Display) -> Vec<[u8; 3]> {
+    let factor = options.exposure.factor(&picture.radiance);
+    let curve = options.tone.unwrap_or_default();
+    let encode = |&c: &Rgb| curve.apply(c * factor).to_array().map(srgb);
+    if options.despeckle {
+        despeckle(picture.width, picture.height, &picture.radiance).par_iter().map(encode).collect()
+    } else {
+        picture.radiance.par_iter().map(encode).collect()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
 
     #[test]
     fn the_extension_decides_and_its_case_does_not() {

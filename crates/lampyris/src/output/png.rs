@@ -1,21 +1,12 @@
 //! PNG: what a display shows, 8-bit sRGB, with the metadata as text chunks.
 
-use super::despeckle::despeckle;
-use super::{Display, Picture, ToneCurve, srgb};
+use super::{Display, Picture, ToneCurve, display};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent};
-use rayon::prelude::*;
 
 /// The bytes of the file.
-pub(super) fn encode(picture: &Picture, display: &Display) -> Result<Vec<u8>, String> {
-    let factor = display.exposure.factor(&picture.radiance);
-    let curve = display.tone.unwrap_or_default();
-    let shown = match display.despeckle {
-        true => despeckle(picture.width, picture.height, &picture.radiance),
-        false => picture.radiance.clone(),
-    };
-    let shown = shown.par_iter().map(|&c| curve.apply(c * factor).to_array().map(srgb));
-    let pixels = shown.collect::<Vec<[u8; 3]>>().into_flattened();
-    write(picture, &pixels, curve, display.despeckle).map_err(|e| e.to_string())
+pub(super) fn encode(picture: &Picture, options: &Display) -> Result<Vec<u8>, String> {
+    let pixels = display(picture, options).into_flattened();
+    write(picture, &pixels, options.tone.unwrap_or_default(), options.despeckle).map_err(|e| e.to_string())
 }
 
 fn write(picture: &Picture, pixels: &[u8], curve: ToneCurve, calm: bool) -> Result<Vec<u8>, EncodingError> {
@@ -55,8 +46,8 @@ mod tests {
         for (curve, middle) in
             [(ToneCurve::Linear, 118), (ToneCurve::Reinhard, 109), (ToneCurve::Filmic, 141)]
         {
-            let display = Display { exposure: Exposure::Ev(0.0), tone: Some(curve), despeckle: false };
-            let bytes = encode(&three(), &display).unwrap();
+            let options = Display { exposure: Exposure::Ev(0.0), tone: Some(curve), despeckle: false };
+            let bytes = encode(&three(), &options).unwrap();
             let image = image::load_from_memory(&bytes).unwrap().to_rgb8();
             assert_eq!(image.get_pixel(0, 0).0, [0, 0, 0], "{curve:?}");
             assert_eq!(image.get_pixel(1, 0).0, [middle; 3], "{curve:?}");

@@ -23,17 +23,13 @@ use follow::{Numbers, follow};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::f32::consts::PI;
-use std::ops::Range;
-
-/// Photons from vertices of the walk over photons from lights: their light is weaker and softer.
-const FROM_VERTICES: f64 = 0.5;
 
 /// Photons from lights for each light path whose vertices send photons: if the batch has fewer paths, photons have a walk
 /// of their own, or the few vertices near a body would throw their images onto the walls.
 const PER_PATH: u32 = 4;
 
 /// The first radius, in mean distances between photons if all of a kind lay evenly in the shadows of the bodies.
-const RADIUS: [f32; 2] = [2.0, 6.0];
+const RADIUS: [f32; 2] = [3.0, 8.0];
 
 /// The largest first radius, in radii of the scene.
 const WIDEST: f32 = 0.05;
@@ -42,7 +38,7 @@ const WIDEST: f32 = 0.05;
 const KEPT: f64 = 2.0 / 3.0;
 
 /// Photons that a thread traces at a time.
-const RUN: u32 = 256;
+const RUN: usize = 256;
 
 /// Light that came to a dull surface over a sharp one.
 #[derive(Clone, Copy, Debug)]
@@ -73,8 +69,8 @@ pub struct Photons {
 /// The points that shine for one emitter: itself, or vertices of the walk.
 enum Origin<'a, 'w> {
     Light(&'a Emitter),
-    /// Vertices with the running sum of the flux that they send toward sharp bodies, each of the light that a single eye
-    /// pass would see: so many times too bright.
+    /// Vertices with the running sum of the flux that they send toward sharp bodies, each of the light that a single
+    /// class would see: so many times too bright.
     Vertices(Vec<(f64, &'a Vpl<'w>)>, f64),
 }
 
@@ -96,13 +92,15 @@ impl Photons {
         let paths = settings.photons.div_ceil(PER_PATH);
         let own = (settings.paths < paths).then(|| {
             let seed = sequence::hash(settings.seed, u32::from(b'v'));
-            let settings = Settings { paths, passes: Some(1), seed, ..settings.clone() };
+            let alone =
+                Settings { passes: Some(1), interleave: [1, 1], light_points: None, ..settings.clone() };
+            let settings = Settings { paths, seed, ..alone };
             Walk::new(world, &settings, &Plan::new(world, &settings), batch)
         });
-        let (walk, passes) = own.as_ref().map_or((walk, settings.eye_passes()), |own| (own, 1));
+        let (walk, classes) = own.as_ref().map_or((walk, settings.classes()), |own| (own, 1));
         let lights = lights(world, settings, block, sequence::hash(seed, u32::from(b'k')));
         let vertices =
-            vertices(world, settings, (walk, passes), block, sequence::hash(seed, u32::from(b'w')));
+            vertices(world, settings, (walk, classes), block, sequence::hash(seed, u32::from(b'w')));
         let kinds = [(lights, RADIUS[0]), (vertices, RADIUS[1])];
         let shrunk = shrunk(block).sqrt() as f32;
         let mut rays = own.as_ref().map_or(0, |own| own.rays);
@@ -126,10 +124,11 @@ impl Photons {
     }
 }
 
-/// Photons that start on the emitters: each its share of them, at least one where it has any.
+/// Photons that start on the emitters: each its share of them, at least one where it has any; none where it is dark.
 fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
-        let count = (f64::from(settings.photons) * f64::from(*share)).ceil() as u32;
+        let share = if light.is_dark() { 0.0 } else { f64::from(*share) };
+        let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
             origin: Origin::Light(light),
@@ -145,7 +144,7 @@ fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) 
 fn vertices<'a, 'w>(
     world: &World,
     settings: &Settings,
-    (walk, passes): (&'a Walk<'w>, u32),
+    (walk, classes): (&'a Walk<'w>, u32),
     block: u32,
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
@@ -160,10 +159,10 @@ fn vertices<'a, 'w>(
     let number = (0..).zip(running).filter(|(_, running)| !running.is_empty());
     let source = |(emitter, running): (u32, Vec<(f64, &'a Vpl<'w>)>)| {
         let share = f64::from(world.shares()[emitter as usize]);
-        let count = (FROM_VERTICES * f64::from(settings.photons) * share).ceil() as u32;
+        let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
-            origin: Origin::Vertices(running, f64::from(passes)),
+            origin: Origin::Vertices(running, f64::from(classes)),
             count,
             first: block.wrapping_mul(count),
             seed: sequence::hash(seed, emitter),
@@ -174,15 +173,14 @@ fn vertices<'a, 'w>(
 
 /// Traces all photons of some sources, and counts the rays.
 fn trace(world: &World, sources: &[Source<'_, '_>]) -> (Vec<Photon>, u64) {
-    let runs: Vec<(&Source<'_, '_>, Range<u32>)> = sources
-        .iter()
-        .flat_map(|s| (0..s.count).step_by(RUN as usize).map(move |i| (s, i..s.count.min(i + RUN))))
-        .collect();
+    let numbers: Vec<(usize, Vec<u32>)> = sources.iter().map(Source::order).enumerate().collect();
+    let runs: Vec<(usize, &[u32])> =
+        numbers.iter().flat_map(|(k, order)| order.chunks(RUN).map(|run| (*k, run))).collect();
     let done: Vec<(Vec<Photon>, u64)> = runs
         .par_iter()
         .map(|(source, run)| {
             let mut photons = Vec::with_capacity(run.len());
-            let rays = run.clone().map(|i| source.photon(world, i, &mut photons)).sum();
+            let rays = run.iter().map(|i| sources[*source].photon(world, *i, &mut photons)).sum();
             (photons, rays)
         })
         .collect();
@@ -193,9 +191,32 @@ fn trace(world: &World, sources: &[Source<'_, '_>]) -> (Vec<Photon>, u64) {
 }
 
 impl Source<'_, '_> {
+    fn numbers(&self, i: u32) -> Numbers {
+        Numbers { index: self.first.wrapping_add(i), seed: self.seed }
+    }
+
+    /// The numbers of its photons, those that take similar ways side by side: the next photon meets boxes and triangles
+    /// that the last one has left in the caches.
+    fn order(&self) -> Vec<u32> {
+        let mut order: Vec<(u16, u32)> = (0..self.count)
+            .into_par_iter()
+            .with_min_len(RUN)
+            .map(|i| {
+                let [u, _, s, t] = self.numbers(i).four(ledger::POINT);
+                let key = match self.origin {
+                    Origin::Light(_) => cell(s, t),
+                    Origin::Vertices(..) => (u * 65536.0) as u16,
+                };
+                (key, i)
+            })
+            .collect();
+        order.par_sort_unstable();
+        order.into_iter().map(|(_, i)| i).collect()
+    }
+
     /// Traces the i-th photon; counts the rays.
     fn photon(&self, world: &World, i: u32, photons: &mut Vec<Photon>) -> u64 {
-        let numbers = Numbers { index: self.first.wrapping_add(i), seed: self.seed };
+        let numbers = self.numbers(i);
         let [u, v, s, t] = numbers.four(ledger::POINT);
         let point;
         let (source, weight) = match &self.origin {
@@ -205,12 +226,12 @@ impl Source<'_, '_> {
                 point = Vpl { position, shine, intensity, bound: f32::INFINITY, gloss: None };
                 (&point, 1.0)
             }
-            Origin::Vertices(running, passes) => {
+            Origin::Vertices(running, classes) => {
                 let total = running.last().map_or(0.0, |(sum, _)| *sum);
                 let k = running.partition_point(|(sum, _)| *sum <= f64::from(u) * total);
                 let Some((sum, vertex)) = running.get(k) else { return 0 };
                 let own = sum - if k == 0 { 0.0 } else { running[k - 1].0 };
-                (*vertex, (total / (own * passes)) as f32)
+                (*vertex, (total / (own * classes)) as f32)
             }
         };
         let aim = Aim::new(world, source);
@@ -218,6 +239,13 @@ impl Source<'_, '_> {
         let Some(shot) = aim.shoot(numbers.one(ledger::BODY), [s, t]) else { return 0 };
         follow(world, &shot, source, [weight, weight * aim.flux()], numbers, self.emitter, photons)
     }
+}
+
+/// The place of a point of the unit square on a curve through 128 × 128 cells whose neighbours are neighbours mostly: the
+/// bits of both coordinates in turn.
+fn cell(s: f32, t: f32) -> u16 {
+    let spread = |x: f32| (0..7).fold(0, |all, bit| all | ((x * 128.0) as u16 >> bit & 1) << (2 * bit));
+    spread(s) | spread(t) << 1
 }
 
 /// Mean distance between so many photons, were they spread evenly in the shadows of all sharp bodies, each by what it is

@@ -57,7 +57,7 @@ pub enum Edit {
         /// Which material.
         material: u32,
         /// What it is from now on.
-        to: Material,
+        to: Box<Material>,
     },
     /// Power and colour of a material that glows.
     Emission {
@@ -119,7 +119,10 @@ impl Scene {
                     return Err(bad("a material with numbers that make no sense"));
                 }
                 let own = entry(&mut self.materials, *material, "material")?;
-                Ok(Edit::Material { material: *material, to: std::mem::replace(own, to.clone()) })
+                Ok(Edit::Material {
+                    material: *material,
+                    to: Box::new(std::mem::replace(own, Material::clone(to))),
+                })
             }
             Edit::Emission { material, emission } => {
                 if !glows_soundly(*emission) {

@@ -60,6 +60,11 @@ pub fn upward(scene: &Scene) -> Vec3 {
     axes.into_iter().rev().max_by(|&a, &b| evidence.votes(a).total_cmp(&evidence.votes(b))).unwrap_or(Vec3::Z)
 }
 
+/// What the way lamps shine counts, beside where they and the furniture are: that it is upright, and that it is down. A room
+/// may well be lit by its ceiling alone.
+const UPRIGHT: f32 = 0.5;
+const DOWN: f32 = 0.25;
+
 /// What speaks for an axis, each vector in shares of -1 to 1.
 struct Evidence {
     /// Share of the area that faces along each axis: floors, ceilings and table tops are level.
@@ -68,7 +73,7 @@ struct Evidence {
     extent: Vec3,
     /// Where the light comes from, against the middle of the scene: lamps hang high.
     lamps: Vec3,
-    /// Which way the lamps shine: down.
+    /// Which way the lamps shine: down, unless they light a ceiling.
     shine: Vec3,
     /// Where the things inside are, against the middle: they stand on the floor.
     things: Vec3,
@@ -117,8 +122,10 @@ impl Evidence {
     /// How much speaks for an axis as the upward one.
     fn votes(&self, axis: Vec3) -> f32 {
         let size = axis.abs();
-        self.level.dot(size) - 0.5 * self.extent.dot(size) + self.lamps.dot(axis)
-            - self.shine.dot(axis)
+        self.level.dot(size) - 0.5 * self.extent.dot(size)
+            + UPRIGHT * self.shine.abs().dot(size)
+            + self.lamps.dot(axis)
+            - DOWN * self.shine.dot(axis)
             - self.things.dot(axis)
     }
 }

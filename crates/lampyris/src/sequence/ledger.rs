@@ -13,7 +13,7 @@
 //! | eye path | dimensions | group |
 //! |---|---|---|
 //! | place in the pixel | 0, 1 | 0 |
-//! | first of a packet: which virtual lights it picks | 2 | 0 |
+//! | first of a packet: which virtual lights, or images of them, it picks | 2 | 0 |
 //! | (free) | 3 | 0 |
 //! | vertex k ≥ 0: direction | 8k + 4, 8k + 5 | 2k + 1 |
 //! | vertex k ≥ 0: choice of class | 8k + 6 | 2k + 1 |

@@ -112,12 +112,15 @@ impl Mirror {
 
     /// Whether a line through the point `p`, off the plane, that goes along `d` from there, crosses the plane within
     /// the rectangle around the mirror: false only if it misses the mirror.
+    #[inline(always)]
     pub fn may_be_crossed(&self, p: Vec3, d: Vec3) -> bool {
-        let from = self.frame.to_local(p - self.origin);
-        let along = self.frame.to_local(d);
-        let at = from.truncate() - along.truncate() * (from.z / along.z);
+        let Frame { s, t, n } = &self.frame;
+        let o = p - self.origin;
+        let (from, along) = (n.dot(o), n.dot(d));
+        let lengths = from / along;
+        let (x, y) = (s.dot(o) - s.dot(d) * lengths, t.dot(o) - t.dot(d) * lengths);
         let [low, high] = self.rectangle;
-        from.z * along.z < 0.0 && at.cmpge(low).all() && at.cmple(high).all()
+        (from * along < 0.0) & (x >= low.x) & (x <= high.x) & (y >= low.y) & (y <= high.y)
     }
 
     /// Whether anything of the rectangle around the mirror lies before a plane through `p` of normal `n`.

@@ -190,7 +190,9 @@ pub fn some_edit(scene: &Scene, c: &mut Chance) -> Edit {
             let emission = if c.below(3) == 0 { Rgb::BLACK } else { c.color(10.0) };
             Edit::Emission { material: number as u32, emission }
         }
-        84..94 => Edit::Material { material: number as u32, to: material(c, &scene.materials[number]) },
+        84..94 => {
+            Edit::Material { material: number as u32, to: Box::new(material(c, &scene.materials[number])) }
+        }
         _ => {
             let camera = scene.view.clone().map(|camera| Camera { eye: c.point(), ..camera });
             Edit::View { camera }
