@@ -54,7 +54,7 @@ fn main() -> lampyris::Result<()> {
         let sampling = Sampling { offset: [0.5; 2], index, seed: 0 };
         eye.look(&sampling, &mut tile);
         let (world, settings, plan, eye) = (&world, &settings, &plan, &eye);
-        let pass = Pass { world, settings, plan, eye, lights: &[], vpls: &[], sampling };
+        let pass = Pass { world, settings, plan, eye, lights: &[], vpls: &[], photons: None, sampling };
         Openness.add(&pass, &tile, &mut sum, &mut Rays::default());
     }
     let mean = sum.into_iter().map(|v| v * (1.0 / passes as f32)).collect();
