@@ -72,7 +72,7 @@ fn the_grid_finds_what_a_sum_over_all_photons_finds() {
             p - Vec3::splat(0.4 * size) + Vec3::new(0.0, if i.is_multiple_of(3) { 0.3 } else { 0.0 }, 0.0)
         };
         let photons: Vec<Photon> = (0..count)
-            .map(|i| {
+            .map(|i: u32| {
                 let normal = if i.is_multiple_of(5) { Vec3::X } else { Vec3::Y };
                 let flux = Rgb::grey(random(i, 3));
                 Photon { position: place(i), flux, wi: normal, normal, emitter: 0 }
