@@ -159,7 +159,9 @@ struct Summed {
 impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
-        let photons = (self.world.has_sharp_surfaces() && integrator::gather_photons(&self.integrators))
+        // Meters hang in the air, where no photon stays: they take the oracle.
+        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.has_sharp_surfaces();
+        let photons = (useful && integrator::gather_photons(&self.integrators))
             .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
         let width = self.eye.size().0;
         let passes = self.settings.eye_passes();

@@ -69,11 +69,11 @@ fn the_grid_finds_what_a_sum_over_all_photons_finds() {
     for (count, size) in [(0, 1.0), (1, 1.0), (3, 0.05), (17, 0.3), (300, 0.5), (5000, 2.0), (20_000, 40.0)] {
         let place = |i: u32| {
             let p = Vec3::new(random(i, 0), 0.02 * random(i, 1), random(i, 2)) * size;
-            p - Vec3::splat(0.4 * size) + Vec3::new(0.0, if i % 3 == 0 { 0.3 } else { 0.0 }, 0.0)
+            p - Vec3::splat(0.4 * size) + Vec3::new(0.0, if i.is_multiple_of(3) { 0.3 } else { 0.0 }, 0.0)
         };
         let photons: Vec<Photon> = (0..count)
-            .map(|i| {
-                let normal = if i % 5 == 0 { Vec3::X } else { Vec3::Y };
+            .map(|i: u32| {
+                let normal = if i.is_multiple_of(5) { Vec3::X } else { Vec3::Y };
                 let flux = Rgb::grey(random(i, 3));
                 Photon { position: place(i), flux, wi: normal, normal, emitter: 0 }
             })
@@ -83,8 +83,8 @@ fn the_grid_finds_what_a_sum_over_all_photons_finds() {
             for i in 0..400 {
                 // Around photons, and anywhere.
                 let jump = Vec3::new(random(i, 8) - 0.5, 0.1 * random(i, 9), random(i, 10) - 0.5) * (2.0 * r);
-                let x = if i % 2 == 0 { place(i * 7) + jump } else { place(i + count) };
-                let n = if i % 4 == 0 { Vec3::X } else { Vec3::Y };
+                let x = if i.is_multiple_of(2) { place(i * 7) + jump } else { place(i + count) };
+                let n = if i.is_multiple_of(4) { Vec3::X } else { Vec3::Y };
                 let (one, all) = (f64::from(grid.irradiance(x, n).r), everything(&photons, x, n, r));
                 // A photon at the very rim may fall to either side of the cut.
                 let rounding = 1e-4 * all + 1e-4 / f64::from(r * r);

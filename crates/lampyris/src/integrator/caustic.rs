@@ -1,12 +1,12 @@
 //! Light that reaches the first dull vertex over a sharp one, L (S|D)* S D S* E, unless that is a single planar mirror
 //! (the part *mirror*): by photons that lie around it, of any kind of light.
 //!
-//! Meters hang in the air where no photon stays. They take the oracle, the part *caustic-path*, which cannot find
+//! Meters have no photons, which stay at surfaces. They take the oracle, the part *caustic-path*, which cannot find
 //! caustics of point, spot and directional lights.
 
 use super::{Integrator, Pass, caustic_path};
 use crate::color::Rgb;
-use crate::eye::{Eye, Numbers, Tile};
+use crate::eye::{Numbers, Tile};
 use crate::geometry::{lane, lanes};
 use crate::settings::Rays;
 use crate::world::Surface;
@@ -33,7 +33,7 @@ impl Integrator for Caustic {
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
-        let Some(photons) = pass.photons.filter(|_| matches!(pass.eye, Eye::Camera(_))) else {
+        let Some(photons) = pass.photons else {
             return caustic_path::tile(pass, tile, out, rays);
         };
         for p in &tile.packets {
