@@ -7,38 +7,72 @@
 use crate::cli::BenchArgs;
 use crate::failure::Failure;
 use crate::{interrupt, say};
+use glam::Vec3;
 use lampyris::Error;
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
+use lampyris::geometry::Ray;
 use lampyris::import::{self, Options};
 use lampyris::particle::{Plan, Walk};
-use lampyris::scene::{View, find_view};
+use lampyris::scene::{Camera, View, find_view};
 use lampyris::world::World;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// The workload of a scene: samples a pixel on lights and on surfaces, and the longest path.
+/// The workload of a scene: samples a pixel on lights and on surfaces, caustic photons, and the longest path.
 pub(crate) struct Workload {
     file: &'static str,
     light_points: u32,
     vpls: u32,
+    /// In all; 0 where there is nothing to send them to.
+    photons: u32,
     longest: Option<u32>,
+    /// Eye, target and vertical field of view [m, degrees], z up; else the scene's camera or a found view.
+    view: Option<([f32; 3], [f32; 3], f32)>,
 }
 
 /// The scenes that ship, each with the samples that the paper gives the one of its kind.
 const WORKLOADS: &[Workload] = &[
-    Workload { file: "office.mgf", light_points: 4, vpls: 18, longest: None },
-    Workload { file: "table.mgf", light_points: 4, vpls: 18, longest: Some(4) },
-    Workload { file: "egg.mgf", light_points: 10, vpls: 20, longest: Some(4) },
-    Workload { file: "foyer.mgf", light_points: 4, vpls: 9, longest: Some(4) },
-    Workload { file: "conference.mgf", light_points: 5, vpls: 20, longest: Some(4) },
+    Workload { file: "office.mgf", photons: 4000, ..OTHERS },
+    Workload {
+        file: "table.mgf",
+        photons: 500,
+        longest: Some(4),
+        view: Some(([4.53, 0.39, 1.6], [1.74, 2.53, 1.25], 65.0)),
+        ..OTHERS
+    },
+    Workload {
+        file: "egg.mgf",
+        light_points: 10,
+        vpls: 20,
+        photons: 3000,
+        longest: Some(4),
+        view: Some(([4.35, 0.92, 1.6], [1.87, 3.4, 1.25], 65.0)),
+    },
+    Workload {
+        file: "foyer.mgf",
+        vpls: 9,
+        photons: 500,
+        longest: Some(4),
+        view: Some(([2.5, 0.45, 1.6], [4.3, 4.6, 1.35], 66.0)),
+        ..OTHERS
+    },
+    Workload {
+        file: "conference.mgf",
+        light_points: 5,
+        vpls: 20,
+        longest: Some(4),
+        view: Some(([0.39, 6.83, 1.6], [6.99, 3.02, 0.84], 65.0)),
+        ..OTHERS
+    },
 ];
 
 /// Of scenes that do not ship.
-const OTHERS: Workload = Workload { file: "", light_points: 4, vpls: 18, longest: None };
+const OTHERS: Workload =
+    Workload { file: "", light_points: 4, vpls: 18, photons: 0, longest: None, view: None };
 
 /// What `--json` prints of one measurement; milliseconds are wall time.
 #[derive(Serialize)]
@@ -79,7 +113,7 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
             if interrupt::asked() {
                 break;
             }
-            let mut machine = Machine::new(file, *threads, args)?;
+            let mut machine = Machine::new(file, workload, *threads, args)?;
             let nothing = || Error::BadSetting("nothing to measure".into());
             let settings = wald(machine.backend.world().ok_or_else(nothing)?, workload);
             rows.push(machine.measure("wald", settings)?);
@@ -112,15 +146,27 @@ struct Machine<'a> {
 }
 
 impl<'a> Machine<'a> {
-    fn new(file: &'a Path, threads: u32, args: &'a BenchArgs) -> Result<Machine<'a>, Failure> {
+    fn new(
+        file: &'a Path,
+        workload: &Workload,
+        threads: u32,
+        args: &'a BenchArgs,
+    ) -> Result<Machine<'a>, Failure> {
         let mut backend = Cpu::new(Some(threads as usize))?;
         let scene = import::load(file, &Options::default())?.scene;
         let world = backend.install(|| World::new(scene));
         let (width, height) = args.size;
         let aspect = width as f32 / height as f32;
-        let camera = world.scene().cameras.first().cloned().unwrap_or_else(|| {
-            backend.install(|| find_view(world.scene(), &|ray| world.tracer().closest(ray), aspect).camera)
-        });
+        let camera = match (workload.view, world.scene().cameras.first()) {
+            (Some((eye, target, fov_y)), _) => {
+                Camera { name: String::new(), eye: eye.into(), target: target.into(), up: Vec3::Z, fov_y }
+            }
+            (None, Some(camera)) => camera.clone(),
+            _ => {
+                let closest = |ray: &Ray| world.tracer().closest(ray);
+                backend.install(|| find_view(world.scene(), &closest, aspect).camera)
+            }
+        };
         let eye = Eye::Camera(View::new(&camera, width, height));
         backend.begin_world(world, eye.clone(), &Settings::interactive())?;
         Ok(Machine { backend, eye, file, threads, args })
@@ -191,8 +237,10 @@ struct PerFrame {
 /// The paper's workload: so many paths that a class has the virtual lights asked for in the mean.
 pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
     const CLASSES: u32 = 9;
+    let caustics = (workload.photons > 0).then_some("caustic");
     let settings = Settings {
-        parts: ["emission", "direct", "vpl"].map(String::from).into(),
+        parts: ["emission", "direct", "vpl"].into_iter().chain(caustics).map(String::from).collect(),
+        photons: workload.photons.max(1),
         paths: CLASSES * 64,
         passes: Some(1),
         interleave: [3, 3],

@@ -163,7 +163,7 @@ impl Job {
             .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
         let width = self.eye.size().0;
         let passes = self.settings.eye_passes();
-        let rects = self.rects();
+        let rects = self.rects(batch);
         let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32));
         let pieces: Vec<(Rect, Range<u32>)> = rects
             .into_iter()
@@ -203,13 +203,25 @@ impl Job {
         self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
-    /// The picture cut into tiles.
-    fn rects(&self) -> Vec<Rect> {
+    /// The picture cut into tiles, elsewhere in each batch: what pixels of a tile have in common must not show.
+    fn rects(&self, batch: Batch) -> Vec<Rect> {
         let (width, height) = self.eye.size();
-        let [w, h] = self.settings.interleave.map(tile_edge);
-        let rows = (0..height).step_by(h as usize);
-        let corners = rows.flat_map(|y| (0..width).step_by(w as usize).map(move |x| (x, y)));
-        corners.map(|(x, y)| Rect { x, y, width: w.min(width - x), height: h.min(height - y) }).collect()
+        let seed = sequence::hash(sequence::hash(self.settings.seed, u32::from(b't')), batch.index);
+        let cuts = |size: u32, axis: usize| {
+            let n = self.settings.interleave[axis];
+            let edge = tile_edge(n);
+            // Tiles begin at multiples of n, or classes would not meet.
+            let first = n * (sequence::hash(seed, axis as u32) % (edge / n) + 1);
+            let starts: Vec<u32> = std::iter::once(0).chain((first..size).step_by(edge as usize)).collect();
+            let ends: Vec<u32> = starts[1..].iter().copied().chain([size]).collect();
+            starts.into_iter().zip(ends).map(|(start, end)| (start, end - start)).collect::<Vec<_>>()
+        };
+        let columns = cuts(width, 0);
+        let rows = cuts(height, 1);
+        let rects = rows.iter().flat_map(|(y, height)| {
+            columns.iter().map(move |(x, width)| Rect { x: *x, y: *y, width: *width, height: *height })
+        });
+        rects.collect()
     }
 
     /// Some eye passes of a batch in one tile.

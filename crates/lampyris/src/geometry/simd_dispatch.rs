@@ -93,11 +93,7 @@ mod tests {
                 let cos = x[k] * n[0] + y[k] * n[1] + z[k] * n[2];
                 out[k] = cos / (d2 * d2.sqrt());
             }
-            let mut above = 0;
-            for k in 0..LANES {
-                above |= u16::from(out[k] > 0.5) << k;
-            }
-            (out, above)
+            (out, (0..LANES).fold(0, |above, k| above | u16::from(out[k] > 0.5) << k))
         }
     }
 

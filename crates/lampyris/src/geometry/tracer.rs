@@ -169,15 +169,14 @@ impl Tracer {
         }
         let mut best = Best::none(ray.t_max);
         self.flat.tree.closest(self.kernel, ray, None, &mut best);
-        self.closest_placed(ray, &mut best);
+        if self.has_placed() {
+            self.closest_placed(ray, &mut best);
+        }
         best.hit()
     }
 
     /// The part of [`Tracer::closest`] that meets shared meshes.
     pub(super) fn closest_placed(&self, ray: &Ray, best: &mut Best) {
-        if self.placed.is_empty() {
-            return;
-        }
         let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
         self.top.walk(&slab, best.t, |leaf| {
             let instance = &self.placed[leaf as usize];
@@ -201,14 +200,12 @@ impl Tracer {
     }
 
     fn stops(&self, ray: &Ray, end: End) -> bool {
-        self.flat.tree.occluded(self.kernel, ray, end, None) || self.placed_stop(ray, end)
+        self.flat.tree.occluded(self.kernel, ray, end, None)
+            || (self.has_placed() && self.placed_stop(ray, end))
     }
 
     /// Does a shared mesh block the ray?
     pub(super) fn placed_stop(&self, ray: &Ray, end: End) -> bool {
-        if self.placed.is_empty() {
-            return false;
-        }
         let mut hit = false;
         let slab = Slab::new(ray.origin, ray.direction, &self.bounds, 0.0);
         self.top.walk(&slab, ray.t_max, |leaf| {

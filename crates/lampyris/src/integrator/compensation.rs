@@ -16,7 +16,9 @@ use crate::world::Surface;
 const MAX_VERTICES: u32 = 64;
 
 /// Virtual lights that stand for all of them at the end of a short ray.
-pub(super) const VPLS: usize = 4;
+const VPLS: usize = 4;
+/// The same if they are picked by what they would give.
+const PICKED: u32 = 2;
 
 /// Paths L (S|D)* D D S* E, beyond the clamp.
 pub(super) struct Compensation;
@@ -83,11 +85,10 @@ pub(super) fn beyond_clamp<'w>(
         let reflected = direct::at(pass, &y, branch, rays)
             + mirror::at(pass, &y, branch.branch(b'm'.into()), rays)
             + caustic::at(pass, &y, branch, &mut rays.compensation)
-            + gather::from_some_lights(
-                world,
+            + gather::from_some_vpls(
+                pass,
                 &y,
-                pass.vpls,
-                VPLS,
+                (PICKED, VPLS),
                 numbers.one(ledger::light(vertex)),
                 &mut rays.compensation,
             );

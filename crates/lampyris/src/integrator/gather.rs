@@ -4,7 +4,7 @@
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
 use super::Pass;
-use super::pick::{Open, pick};
+use super::pick::{Open, pick, pick_for_point};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::{Kernel, Ray, Wide, lanes};
@@ -104,6 +104,27 @@ pub fn from_some_lights(
     rays: &mut u64,
 ) -> Rgb {
     some_of(lights, most, u, |light| from_light(world, x, light, rays))
+}
+
+/// An unbiased estimate of [`from_lights`] by a few of a pass' virtual lights: `picked` of them by what they would give,
+/// where settings ask for picking, else about `most`, evenly.
+pub(super) fn from_some_vpls(
+    pass: &Pass<'_>,
+    x: &Surface<'_>,
+    (picked, most): (u32, usize),
+    u: f32,
+    rays: &mut u64,
+) -> Rgb {
+    if pass.settings.picks.is_none() || pass.vpls.len() <= most {
+        return from_some_lights(pass.world, x, pass.vpls, most, u, rays);
+    }
+    let mut sum = Rgb::BLACK;
+    let kernel = pass.world.tracer().kernel();
+    let point = (x.position, x.shading, x.finish.transmits);
+    pick_for_point(kernel, point, pass.beacons, picked, u, |k, factor| {
+        sum += from_light(pass.world, x, &pass.vpls[k], rays) * factor;
+    });
+    sum
 }
 
 /// An unbiased estimate of the sum of `light_of` over all lights.

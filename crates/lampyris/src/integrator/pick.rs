@@ -57,21 +57,46 @@ pub(super) fn pick(
     for (number, run) in beacons.chunks(length).enumerate() {
         let weights = &mut weights[..run.len()];
         let total = kernel.run(Weigh { points: &points, run, window, weights });
-        if !(total > 0.0 && total < f32::INFINITY) {
-            continue;
+        comb(weights, total, teeth, u, |k, factor| each(number * length + k, factor));
+    }
+}
+
+/// [`pick`] for a single point that reflects light from the side of `normal`, or from both where it `transmits`.
+pub(super) fn pick_for_point(
+    kernel: Kernel,
+    (x, normal, transmits): (Vec3, Vec3, bool),
+    beacons: &[Beacon],
+    most: u32,
+    u: f32,
+    mut each: impl FnMut(usize, f32),
+) {
+    let runs = beacons.len().div_ceil(RUN).max(1);
+    let length = beacons.len().div_ceil(runs).max(1);
+    let teeth = most.div_ceil(runs as u32) as f32;
+    let mut weights = [0.0; RUN];
+    for (number, run) in beacons.chunks(length).enumerate() {
+        let weights = &mut weights[..run.len()];
+        let total = kernel.run(WeighForPoint { x, normal, transmits, run, weights });
+        comb(weights, total, teeth, u, |k, factor| each(number * length + k, factor));
+    }
+}
+
+/// Lays so many teeth over the running sum of weights, which is `total`.
+fn comb(weights: &[f32], total: f32, teeth: f32, u: f32, mut each: impl FnMut(usize, f32)) {
+    if !(total > 0.0 && total < f32::INFINITY) {
+        return;
+    }
+    let gap = total / teeth;
+    let (mut tooth, mut sum) = (u * gap, 0.0);
+    for (k, weight) in weights.iter().enumerate() {
+        sum += weight;
+        let mut met = 0.0;
+        while tooth < sum {
+            met += 1.0;
+            tooth += gap;
         }
-        let gap = total / teeth;
-        let (mut tooth, mut sum) = (u * gap, 0.0);
-        for (k, weight) in weights.iter().enumerate() {
-            sum += weight;
-            let mut met = 0.0;
-            while tooth < sum {
-                met += 1.0;
-                tooth += gap;
-            }
-            if met > 0.0 {
-                each(number * length + k, met * gap / weight);
-            }
+        if met > 0.0 {
+            each(k, met * gap / weight);
         }
     }
 }
@@ -128,6 +153,37 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
             let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
             let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
             *weight = ((four[0] + four[2]) + (four[1] + four[3])) * beacon.weight;
+            total += *weight;
+        }
+        total
+    }
+}
+
+/// What each light would give one point, but for visibility and what the point is made of.
+struct WeighForPoint<'a> {
+    x: Vec3,
+    normal: Vec3,
+    transmits: bool,
+    run: &'a [Beacon],
+    weights: &'a mut [f32],
+}
+
+impl Wide for WeighForPoint<'_> {
+    type Out = f32;
+
+    #[inline(always)]
+    fn run(self) -> f32 {
+        let behind = if self.transmits { -1.0 } else { 0.0 };
+        let mut total = 0.0;
+        for (weight, beacon) in self.weights.iter_mut().zip(self.run) {
+            let d = beacon.position - self.x;
+            let (cos_x, cos_y) = (d.dot(self.normal), -d.dot(beacon.normal));
+            let d2 = d.length_squared();
+            let passes = cos_x * behind;
+            let cos_x = if cos_x > passes { cos_x } else { passes };
+            let g = cos_x * cos_y / (d2 * d2);
+            let bounded = if g < beacon.bound { g } else { beacon.bound };
+            *weight = if cos_y > 0.0 && d2 > 0.0 { bounded * beacon.weight } else { 0.0 };
             total += *weight;
         }
         total

@@ -188,9 +188,9 @@ pub(super) enum End {
 pub enum Kernel {
     /// Plain Rust, the oracle of the others.
     Portable,
-    /// Eight boxes or triangles at once.
+    /// Eight boxes or triangles at once, sixteen rays of one origin in two halves.
     Avx2,
-    /// Also sixteen rays of one origin at once.
+    /// Sixteen rays of one origin at once.
     Avx512,
 }
 
@@ -277,6 +277,7 @@ impl Tree {
 
     /// Offers `best` what a ray of the world meets. If the tree is that of a shared mesh, it also needs the place of the
     /// instance and the ray against the boxes of that mesh. Rays are made ready in the kernels, where it costs least.
+    #[inline]
     pub(super) fn closest(
         &self,
         kernel: Kernel,
@@ -293,6 +294,7 @@ impl Tree {
     }
 
     /// Does a ray meet anything before its end? Otherwise as [`Tree::closest`].
+    #[inline]
     pub(super) fn occluded(
         &self,
         kernel: Kernel,
@@ -348,8 +350,8 @@ impl Tree {
         }
     }
 
-    /// Lanes whose segments to `targets` are blocked. The kernels that walk with all lanes ask the block of number
-    /// `first` before the others, and leave there the one that blocked last.
+    /// Lanes whose segments to `targets` are blocked. Kernels that walk with all lanes ask the block of number `first`
+    /// before the others, and leave there the one that blocked last.
     pub(super) fn occluded16(
         &self,
         kernel: Kernel,
@@ -365,7 +367,10 @@ impl Tree {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
             Kernel::Avx2 => unsafe { simd_packet::occluded_avx2(self, origin, targets, live, first) },
-            _ => self.occluded_one_by_one(kernel, origin, targets, live),
+            _ => {
+                *first = NONE;
+                self.occluded_one_by_one(kernel, origin, targets, live)
+            }
         }
     }
 

@@ -233,6 +233,8 @@ pub(super) struct Packet<'a, M: Machine> {
     /// Least and largest of `inverse`.
     least: [f32; 3],
     most: [f32; 3],
+    /// Axes along which all lanes agree in sign: the planes of a box come near before far.
+    agreed: [bool; 3],
     /// As in [`Slab`].
     origins: [[f32; 3]; 2],
     pub(super) origin: Vec3,
@@ -257,14 +259,16 @@ impl<'a, M: Machine> Packet<'a, M> {
         let mut all = [sz; 3];
         all[kx] = m.div(one, m.copysign(m.max(least, m.abs(d[0])), d[0]));
         all[ky] = m.div(one, m.copysign(m.max(least, m.abs(d[1])), d[1]));
+        let (least, most) = (three!(a => m.least(all[a])), three!(a => m.most(all[a])));
         Packet {
             sx: m.mul(d[0], sz),
             sy: m.mul(d[1], sz),
             sz,
             inverse: all,
             slack: m.mul(m.splat(slab.widening), m.abs(sz)),
-            least: three!(a => m.least(all[a])),
-            most: three!(a => m.most(all[a])),
+            least,
+            most,
+            agreed: three!(a => least[a] > 0.0 || most[a] < 0.0),
             origins: slab.origin,
             origin,
             directions,
@@ -277,12 +281,6 @@ impl<'a, M: Machine> Packet<'a, M> {
     /// One lane.
     pub(super) fn line(&self, i: usize) -> Line {
         Line::new(&Ray::new(self.origin, lane(self.directions, i)))
-    }
-
-    /// Do all lanes agree in sign along an axis? Then the planes of a box come near before far.
-    #[inline(always)]
-    fn agrees(&self, axis: usize) -> bool {
-        self.least[axis] > 0.0 || self.most[axis] < 0.0
     }
 }
 
@@ -368,7 +366,7 @@ impl<'s, M: Machine> Walk<'s, M> {
             let (near, far) = if packet.most[a] < 0.0 { (upper, lower) } else { (lower, upper) };
             eight.store8(&mut planes[a], near);
             eight.store8(&mut planes[a + 3], far);
-            if packet.agrees(a) {
+            if packet.agreed[a] {
                 let (least, most) = (eight.splat8(packet.least[a]), eight.splat8(packet.most[a]));
                 enter = eight.max8(enter, eight.min8(eight.mul8(near, least), eight.mul8(near, most)));
                 leave = eight.min8(leave, eight.max8(eight.mul8(far, least), eight.mul8(far, most)));
@@ -406,7 +404,7 @@ impl<'s, M: Machine> Walk<'s, M> {
             let near = m.mul(m.splat(planes[a][i]), packet.inverse[a]);
             let far = m.mul(m.splat(planes[a + 3][i]), packet.inverse[a]);
             let (near, far) =
-                if packet.agrees(a) { (near, far) } else { (m.min(near, far), m.max(near, far)) };
+                if packet.agreed[a] { (near, far) } else { (m.min(near, far), m.max(near, far)) };
             enter = m.max(enter, near);
             leave = m.min(leave, far);
         }
