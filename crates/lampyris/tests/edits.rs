@@ -6,12 +6,13 @@ use glam::{Affine3A, Vec3};
 use lampyris::Rgb;
 use lampyris::backend::{Batch, Settings};
 use lampyris::geometry::Ray;
+use lampyris::import;
 use lampyris::light::{Light, LightKind, State};
 use lampyris::material::Material;
 use lampyris::particle::{Plan, Vpl, Walk};
 use lampyris::scene::{Camera, Edit, Instance, Scene};
 use lampyris::world::World;
-use stage::support::{diffuse, glass};
+use stage::support::{diffuse, glass, say};
 use stage::{Chance, some_edit, stage};
 use std::collections::HashSet;
 
@@ -269,4 +270,34 @@ fn shares_are_fixed_by_what_shone_first() {
     // However bright, none brings more paths than the file has.
     let (_, sun) = apply(Edit::AddLight { light: Light::new("", lamp(1e12)) });
     assert_eq!((&sun[..number + 2], sun[number + 2]), (&lit[..], 1.0));
+}
+
+/// An object of 10 000 triangles in a room of 135 000, moved for the first time and again.
+#[test]
+#[ignore = "needs LAMPYRIS_SCENES"]
+fn an_object_moves_within_a_frame() {
+    let folder = std::env::var_os("LAMPYRIS_SCENES").expect("LAMPYRIS_SCENES names the folder of scenes");
+    let file = std::path::Path::new(&folder).join("generated/room/room.glb");
+    let mut scene = import::load(&file, &import::Options::default()).expect("a scene").scene;
+    let triangles = |scene: &Scene, k: usize| scene.meshes[scene.instances[k].mesh as usize].triangles.len();
+    let object = (0..scene.instances.len()).max_by_key(|k| triangles(&scene, *k)).expect("an object");
+    let mesh = scene.instances[object].mesh as usize;
+    scene.meshes[mesh].triangles.truncate(10_000);
+    scene.meshes[mesh].materials.truncate(10_000);
+    assert_eq!(triangles(&scene, object), 10_000);
+    let mut least = [f64::INFINITY; 2];
+    for _ in 0..5 {
+        let mut world = World::new(scene.clone());
+        for step in 0..5 {
+            let shift = Affine3A::from_translation(Vec3::X * (0.01 * (step + 1) as f32));
+            let transform = shift * scene.instances[object].transform;
+            let start = std::time::Instant::now();
+            world.apply(&Edit::Move { instance: object as u32, transform }).expect("a sound edit");
+            let least = &mut least[usize::from(step > 0)];
+            *least = start.elapsed().as_secs_f64().min(*least);
+        }
+    }
+    let [first, again] = least.map(|t| 1e3 * t);
+    say(format_args!("the first time {first:.1} ms, again {again:.1} ms"));
+    assert!(first < 20.0 && again < 20.0);
 }
