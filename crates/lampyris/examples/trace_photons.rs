@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let world = World::new(import::load(Path::new(file), &import::Options::default())?.scene);
     let camera = world.scene().cameras.first().ok_or("the scene has no camera")?;
     let eye = Eye::Camera(View::new(camera, 640, 480));
-    let mut tile = eye.tile(&world, Rect { x: 0, y: 0, width: 640, height: 480 });
+    let mut tile = eye.tiles(&world, Rect { x: 0, y: 0, width: 640, height: 480 }, [1, 1]).remove(0);
     eye.look(&Sampling { offset: [0.5, 0.5], index: 0, seed: 0 }, &mut tile);
 
     for photons in [Settings::default().photons, photons / 2] {
