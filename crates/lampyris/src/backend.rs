@@ -45,6 +45,7 @@ impl Settings {
             light_points: Some(50),
             picks: Some(8),
             clamp: 4.0,
+            photons: 1 << 13,
             filter: true,
             ..Settings::default()
         }
