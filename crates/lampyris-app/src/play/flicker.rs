@@ -24,6 +24,8 @@ pub(crate) struct Flicker {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Pair {
     pub(crate) session: f64,
+    /// The session's worst frame.
+    pub(crate) worst: f64,
     /// With random numbers drawn anew in each frame.
     pub(crate) independent: f64,
     pub(crate) ratio: f64,
@@ -75,7 +77,7 @@ impl Meter {
     pub(crate) fn result(&self) -> Flicker {
         let pair = |kind: usize| {
             let (session, independent) = (self.changes[kind].share(), self.changes[2 + kind].share());
-            Pair { session, independent, ratio: independent / session }
+            Pair { session, worst: self.changes[kind].worst, independent, ratio: independent / session }
         };
         Flicker { reference_batches: self.reference_batches, unfiltered: pair(0), displayed: pair(1) }
     }
@@ -98,14 +100,19 @@ struct Changes {
     before: Option<Vec<f32>>,
     change: f64,
     light: f64,
+    /// The greatest share of a frame.
+    worst: f64,
 }
 
 impl Changes {
     fn add(&mut self, frame: Vec<f32>, truth: &[f32]) {
         let off: Vec<f32> = frame.iter().zip(truth).map(|(l, r)| l - r).collect();
         if let Some(before) = &self.before {
-            self.change += off.iter().zip(before).map(|(a, b)| f64::from((a - b).abs())).sum::<f64>();
-            self.light += truth.iter().map(|r| f64::from(*r)).sum::<f64>();
+            let change: f64 = off.iter().zip(before).map(|(a, b)| f64::from((a - b).abs())).sum();
+            let light: f64 = truth.iter().map(|r| f64::from(*r)).sum();
+            self.change += change;
+            self.light += light;
+            self.worst = self.worst.max(change / light);
         }
         self.before = Some(off);
     }
@@ -127,5 +134,6 @@ mod tests {
         }
         // Only the second pixel of the third frame changes otherwise than the truth: by 1, where Σ R is 7 + 8.
         assert!((changes.share() - 1.0 / 15.0).abs() < 1e-9);
+        assert_eq!(changes.worst, 1.0 / 8.0);
     }
 }

@@ -238,8 +238,9 @@ fn text(report: &Report) -> String {
     if let Some(f) = &report.flicker {
         for (kind, pair) in [("unfiltered", f.unfiltered), ("displayed", f.displayed)] {
             text += &format!(
-                "\nflicker {kind}: {:.3} % a frame, {:.3} % if every frame drew anew, {:.1} times",
+                "\nflicker {kind}: {:.3} % a frame, {:.3} % at worst, {:.3} % if every frame drew anew, {:.1} times",
                 pair.session * 100.0,
+                pair.worst * 100.0,
                 pair.independent * 100.0,
                 pair.ratio
             );
