@@ -16,9 +16,7 @@ use crate::world::Surface;
 const MAX_VERTICES: u32 = 64;
 
 /// Virtual lights that stand for all of them at the end of a short ray.
-const VPLS: usize = 4;
-/// The same if they are picked by what they would give.
-const PICKED: u32 = 2;
+const VPLS: u32 = 2;
 
 /// Paths L (S|D)* D D S* E, beyond the clamp.
 pub(super) struct Compensation;
@@ -88,7 +86,7 @@ pub(super) fn beyond_clamp<'w>(
             + gather::from_some_vpls(
                 pass,
                 &y,
-                (PICKED, VPLS),
+                VPLS,
                 numbers.one(ledger::light(vertex)),
                 &mut rays.compensation,
             );

@@ -106,22 +106,16 @@ pub fn from_some_lights(
     some_of(lights, most, u, |light| from_light(world, x, light, rays))
 }
 
-/// An unbiased estimate of [`from_lights`] by a few of a pass' virtual lights: `picked` of them by what they would give,
-/// where settings ask for picking, else about `most`, evenly.
-pub(super) fn from_some_vpls(
-    pass: &Pass<'_>,
-    x: &Surface<'_>,
-    (picked, most): (u32, usize),
-    u: f32,
-    rays: &mut u64,
-) -> Rgb {
-    if pass.settings.picks.is_none() || pass.vpls.len() <= most {
-        return from_some_lights(pass.world, x, pass.vpls, most, u, rays);
+/// An unbiased estimate of [`from_lights`] by about `most` of a pass' virtual lights, picked by what they would give; `u`
+/// draws them.
+pub(super) fn from_some_vpls(pass: &Pass<'_>, x: &Surface<'_>, most: u32, u: f32, rays: &mut u64) -> Rgb {
+    if pass.vpls.len() <= most as usize {
+        return from_lights(pass.world, x, pass.vpls, rays);
     }
     let mut sum = Rgb::BLACK;
     let kernel = pass.world.tracer().kernel();
     let point = (x.position, x.shading, x.finish.transmits);
-    pick_for_point(kernel, point, pass.beacons, picked, u, |k, factor| {
+    pick_for_point(kernel, point, pass.beacons, most, u, |k, factor| {
         sum += from_light(pass.world, x, &pass.vpls[k], rays) * factor;
     });
     sum

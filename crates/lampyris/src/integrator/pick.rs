@@ -61,7 +61,8 @@ pub(super) fn pick(
     }
 }
 
-/// [`pick`] for a single point that reflects light from the side of `normal`, or from both where it `transmits`.
+/// [`pick`] for a single point that reflects light from the side of `normal`, or from both where it `transmits`. Of a long
+/// list every n-th is weighed, from one that `u` chooses.
 pub(super) fn pick_for_point(
     kernel: Kernel,
     (x, normal, transmits): (Vec3, Vec3, bool),
@@ -70,15 +71,16 @@ pub(super) fn pick_for_point(
     u: f32,
     mut each: impl FnMut(usize, f32),
 ) {
-    let runs = beacons.len().div_ceil(RUN).max(1);
-    let length = beacons.len().div_ceil(runs).max(1);
-    let teeth = most.div_ceil(runs as u32) as f32;
+    let step = beacons.len().div_ceil(RUN).max(1);
+    let chosen = u * step as f32;
+    let first = (chosen as usize).min(step - 1);
     let mut weights = [0.0; RUN];
-    for (number, run) in beacons.chunks(length).enumerate() {
-        let weights = &mut weights[..run.len()];
-        let total = kernel.run(WeighForPoint { x, normal, transmits, run, weights });
-        comb(weights, total, teeth, u, |k, factor| each(number * length + k, factor));
-    }
+    let weights = &mut weights[..beacons[first..].len().div_ceil(step)];
+    let total = kernel.run(WeighForPoint { x, normal, transmits, beacons: &beacons[first..], step, weights });
+    // The same number places the comb: what is left of it is uniform again.
+    comb(weights, total, most as f32, chosen.fract(), |k, factor| {
+        each(first + k * step, factor * step as f32)
+    });
 }
 
 /// Lays so many teeth over the running sum of weights, which is `total`.
@@ -159,12 +161,13 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
     }
 }
 
-/// What each light would give one point, but for visibility and what the point is made of.
+/// What every n-th light would give one point, but for visibility and what the point is made of.
 struct WeighForPoint<'a> {
     x: Vec3,
     normal: Vec3,
     transmits: bool,
-    run: &'a [Beacon],
+    beacons: &'a [Beacon],
+    step: usize,
     weights: &'a mut [f32],
 }
 
@@ -175,7 +178,7 @@ impl Wide for WeighForPoint<'_> {
     fn run(self) -> f32 {
         let behind = if self.transmits { -1.0 } else { 0.0 };
         let mut total = 0.0;
-        for (weight, beacon) in self.weights.iter_mut().zip(self.run) {
+        for (weight, beacon) in self.weights.iter_mut().zip(self.beacons.iter().step_by(self.step)) {
             let d = beacon.position - self.x;
             let (cos_x, cos_y) = (d.dot(self.normal), -d.dot(beacon.normal));
             let d2 = d.length_squared();
