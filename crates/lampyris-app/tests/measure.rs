@@ -134,6 +134,8 @@ fn info_of_our_scenes() {
         "bounds",
         "up",
         "cameras",
+        "lamps",
+        "objects",
         "warnings",
     ];
     assert_eq!(cornell.as_object().unwrap().len(), keys.len());

@@ -204,19 +204,20 @@ impl From<&Vpl<'_>> for Beacon {
 
 /// Deals the batch's paths to emitters, sequence indices and classes.
 ///
-/// Path i of a class at place k among C classes has rank (i + frac(ξ + k/C)) C: the mean number of ranks below x is x/C in
-/// each class, and x in all of them to within one. A class takes a run of consecutive indices, the batch the runs one after
-/// another; the places rotate from batch to batch, so that a pixel comes by every residue of the sequence
-/// [Wald et al. 2002, §4.2].
+/// Each of the K interleaved pixels has a run of consecutive indices of its own, the batch the runs one after another. Path
+/// i of the k-th run has rank (i + frac(ξ + k/K)) K: the mean number of ranks below x is x/K in each run, and x in all of
+/// them to within one. The runs rotate from batch to batch, so that a pixel comes by every residue of the sequence
+/// [Wald et al. 2002, §4.2]; within a run the paths are dealt to the eye passes.
 fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) -> Vec<Path> {
     let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
     let seed = sequence::hash(settings.seed, replicate);
     // Unscrambled sequences know no randomisations: there every batch takes the next block of the one sequence.
     let block_in_sequence = if settings.sequence.is_randomised() { block } else { batch.index };
-    let classes = settings.classes();
-    // Neighbours in the sequence spread over the eye passes, or survivors would sit in a corner of the pixel.
-    let stride = golden_stride(classes);
-    let first = (sequence::hash(seed, 0x5eed_0ff5) % classes).wrapping_add(block) % classes;
+    let passes = settings.eye_passes();
+    let runs = settings.interleave[0] * settings.interleave[1];
+    // Neighbours in the sequence spread over the passes, or survivors, a prefix, would sit in a corner of the pixel.
+    let stride = golden_stride(passes);
+    let first_run = sequence::hash(seed, 0x5eed_0ff5).wrapping_add(block) % runs;
     let common = threshold(seed, block);
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
@@ -226,23 +227,25 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
             continue;
         }
         let seed = sequence::hash(seed, emitter as u32 + 1);
-        // Lamps of small shares take turns among the classes.
+        let first_pass = sequence::hash(seed, block ^ 0x5eed_0ff5);
+        // Lamps of small shares take turns among the runs.
         let shift = match settings.absorption {
             Absorption::Paper => 0.0,
             _ => (common + GOLDEN * emitter as f64).fract(),
         };
-        let mut index = block_in_sequence.wrapping_mul(x0.ceil() as u32);
-        for place in 0..classes {
-            let start = (f64::from(place) + shift * f64::from(classes)) % f64::from(classes);
-            let class =
-                ((u64::from(place) * u64::from(stride) + u64::from(first)) % u64::from(classes)) as u32;
+        let start = block_in_sequence.wrapping_mul(x0.ceil() as u32);
+        let mut count = 0;
+        for run in 0..runs {
+            let offset = (f64::from(run) + shift * f64::from(runs)) % f64::from(runs);
             for i in 0.. {
-                let rank = f64::from(i) * f64::from(classes) + start;
+                let rank = f64::from(i) * f64::from(runs) + offset;
                 if rank >= x0 {
                     break;
                 }
-                paths.push(Path { emitter, rank, index, seed, class });
-                index = index.wrapping_add(1);
+                let pass = (u64::from(count) * u64::from(stride) + u64::from(first_pass)) % u64::from(passes);
+                let class = pass as u32 * runs + (run + first_run) % runs;
+                paths.push(Path { emitter, rank, index: start.wrapping_add(count), seed, class });
+                count += 1;
             }
         }
     }

@@ -42,10 +42,10 @@ fn observe(scene: &Build, eye: &Eye, meters: &Eye, s: &Settings, batches: u32) -
 /// The same parts by interleaved pixels, of which packets pick among the virtual lights of their class.
 fn in_classes(fast: &Settings) -> Settings {
     Settings {
-        paths: 8 * fast.paths,
+        paths: 16 * fast.paths,
         passes: Some(fast.eye_passes()),
         interleave: [4, 3],
-        light_points: Some(4 * fast.paths),
+        light_points: Some(8 * fast.paths),
         picks: Some(5),
         ..fast.clone()
     }
