@@ -69,3 +69,27 @@ fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
     format!("{}:{:02}", seconds / 60, seconds % 60)
 }
+
+/// What is being done before there is anything to count; the line is gone when this is.
+pub(crate) struct Phase(ProgressBar);
+
+impl Phase {
+    /// Begins with `what`; says nothing if `quiet`, nor where standard error is no terminal.
+    pub(crate) fn begin(what: &'static str, quiet: bool) -> Phase {
+        let spinner = if quiet { ProgressBar::hidden() } else { ProgressBar::new_spinner() };
+        spinner.set_message(what);
+        spinner.enable_steady_tick(Duration::from_millis(100));
+        Phase(spinner)
+    }
+
+    /// Goes on with `what`.
+    pub(crate) fn then(&self, what: &'static str) {
+        self.0.set_message(what);
+    }
+}
+
+impl Drop for Phase {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::cli::{EstimateArgs, RenderArgs};
 use crate::failure::{Failure, INTERRUPTED};
-use crate::progress::{Progress, error_text};
+use crate::progress::{Phase, Progress, error_text};
 use crate::{estimate, interrupt, memory, say, scene_file, viewing};
 use glam::Vec3;
 use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
@@ -87,12 +87,15 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let loaded_at = Instant::now();
 
     let mut backend = Cpu::new(asked.threads.map(|n| n as usize))?;
+    let phase = Phase::begin("building the tree", args.quiet);
     let world = backend.install(|| World::new(loaded.scene));
     let built_at = Instant::now();
 
     let (width, height) = args.size;
     let aspect = width as f32 / height as f32;
+    phase.then("looking for a view");
     let chosen = backend.install(|| viewing::choose(&args.view, &world, aspect))?;
+    drop(phase);
     if chosen.seen.is_some() && !args.quiet {
         say::note(&format!("view: {}", viewing::arguments(&chosen.camera)));
     }

@@ -2,6 +2,7 @@
 
 use crate::cli::{ReadingArgs, SceneArgs};
 use crate::failure::Failure;
+use crate::progress::Phase;
 use crate::say;
 use lampyris::Rgb;
 use lampyris::import::{self, Limits, Loaded, Options};
@@ -38,6 +39,7 @@ pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Loade
         limits,
         circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
     };
+    let phase = Phase::begin("reading the scene", quiet);
     let mut loaded = import::load(file, &options)?;
     if let Some(file) = &args.environment {
         // A sky must know what is overhead, and not every format says.
@@ -46,6 +48,7 @@ pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Loade
         loaded.scene.environment_image = Some(loaded.scene.images.len() as u32);
         loaded.scene.images.push(import::picture(file, &options)?);
     }
+    drop(phase);
     if is_dark(&loaded.scene) {
         loaded
             .warnings
