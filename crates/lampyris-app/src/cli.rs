@@ -3,7 +3,7 @@
 use crate::parse;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
-use lampyris::output::{Exposure, ToneCurve};
+use lampyris::output::{Display, Exposure, ToneCurve};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -112,15 +112,8 @@ pub(crate) struct RenderArgs {
     /// One frame as a session shows it first: one short batch, filtered
     #[arg(long, conflicts_with_all = FRAME_CONFLICTS)]
     pub(crate) frame: bool,
-    /// Exposure value of PNG and HDR: 100 cd/m² divided by 2^EV is white; auto finds it
-    #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
-    pub(crate) exposure: Exposure,
-    /// Tone curve: linear, reinhard, filmic [default: filmic in PNG, linear in HDR]
-    #[arg(long, value_name = "NAME", value_parser = parse::tone)]
-    pub(crate) tone: Option<ToneCurve>,
-    /// Leave single bright speckles in PNG, where caustics have not settled
-    #[arg(long)]
-    pub(crate) no_despeckle: bool,
+    #[command(flatten)]
+    pub(crate) display: DisplayArgs,
     /// Average each batch between neighbours that see the same surface: auto, while the error shows, or off [default: auto;
     /// off where --parts, --paths or --spp say how to estimate]
     #[arg(long, value_name = "auto|off", value_parser = parse::filter)]
@@ -169,21 +162,34 @@ pub(crate) struct PlayArgs {
     /// Threads [default: one a core]; the frames do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub(crate) threads: Option<u32>,
-    /// Exposure value of PNG, HDR and films: 100 cd/m² divided by 2^EV is white; auto finds it in the first frame
-    #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
-    pub(crate) exposure: Exposure,
-    /// Tone curve: linear, reinhard, filmic [default: filmic, linear in HDR]
-    #[arg(long, value_name = "NAME", value_parser = parse::tone)]
-    pub(crate) tone: Option<ToneCurve>,
-    /// Leave single bright speckles in PNG and films
-    #[arg(long)]
-    pub(crate) no_despeckle: bool,
+    #[command(flatten)]
+    pub(crate) display: DisplayArgs,
     /// Print a report as one JSON value
     #[arg(long)]
     pub(crate) json: bool,
     /// Say nothing but errors
     #[arg(long)]
     pub(crate) quiet: bool,
+}
+
+/// From light to what a display shows.
+#[derive(Debug, Args)]
+pub(crate) struct DisplayArgs {
+    /// Exposure value of PNG, HDR and films: 100 cd/m² divided by 2^EV is white; auto finds it in the first frame
+    #[arg(long, value_name = "EV|auto", default_value = "auto", allow_hyphen_values = true, value_parser = parse::exposure)]
+    exposure: Exposure,
+    /// Tone curve: linear, reinhard, filmic [default: filmic, linear in HDR]
+    #[arg(long, value_name = "NAME", value_parser = parse::tone)]
+    tone: Option<ToneCurve>,
+    /// Leave single bright speckles in PNG and films, where caustics have not settled
+    #[arg(long)]
+    no_despeckle: bool,
+}
+
+impl DisplayArgs {
+    pub(crate) fn display(&self) -> Display {
+        Display { exposure: self.exposure, tone: self.tone, despeckle: !self.no_despeckle }
+    }
 }
 
 /// Where to look from; found by the program where neither scene nor arguments say.

@@ -9,7 +9,7 @@ use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::frame::Frame;
-use lampyris::output::{self, Display, Layer, Picture, Plane};
+use lampyris::output::{self, Layer, Picture, Plane};
 use lampyris::scene::{Camera, View};
 use lampyris::world::World;
 use lampyris::{Error, Rgb};
@@ -109,7 +109,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let Statistics { rays, vpls, non_finite } = backend.statistics();
     let frame = backend.frame()?;
     let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
-    let display = Display { exposure: args.exposure, tone: args.tone, despeckle: !args.no_despeckle };
+    let display = args.display.display();
     let written = outputs.iter().map(|path| interrupt::writing(|| output::save(path, &picture, &display)));
     // Each file is tried: a full disk under one says nothing of the others.
     let failed = written.fold(None, |failed, done| failed.or(done.err()));
@@ -149,7 +149,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
             vpls,
             batches: frame.batches(),
             error,
-            exposure: args.exposure.ev(&picture.radiance),
+            exposure: display.exposure.ev(&picture.radiance),
             peak_memory_bytes: memory::peak(),
             non_finite,
             interrupted,

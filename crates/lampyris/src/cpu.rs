@@ -91,7 +91,6 @@ impl Cpu {
 
     /// Starts afresh in the world in use.
     pub fn restart(&mut self, eye: Eye, settings: &Settings) -> Result<()> {
-        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
         let world = self.job.take().ok_or_else(nothing)?.world;
         self.begin_world(world, eye, settings)
     }
@@ -107,15 +106,18 @@ impl Cpu {
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
     pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
-        let nothing = || Error::BadSetting("nothing to render: call begin first".into());
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         pool.install(|| job.world.apply(edit))
     }
 
     fn job(&mut self) -> Result<&mut Job> {
-        self.job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))
+        self.job.as_mut().ok_or_else(nothing)
     }
+}
+
+fn nothing() -> Error {
+    Error::BadSetting("nothing to render: call begin first".into())
 }
 
 impl Backend for Cpu {
@@ -127,8 +129,7 @@ impl Backend for Cpu {
 
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
-        let job =
-            job.as_mut().ok_or_else(|| Error::BadSetting("nothing to render: call begin first".into()))?;
+        let job = job.as_mut().ok_or_else(nothing)?;
         pool.install(|| job.add(batch));
         Ok(())
     }

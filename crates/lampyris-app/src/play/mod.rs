@@ -15,7 +15,7 @@ use flicker::{Flicker, Meter};
 use lampyris::Error;
 use lampyris::backend::{Rays, Settings};
 use lampyris::cpu::Cpu;
-use lampyris::output::{Display, Exposure, Picture};
+use lampyris::output::{Exposure, Picture};
 use lampyris::scene::Scene;
 use lampyris::session::Session;
 use lampyris::world::World;
@@ -75,7 +75,7 @@ pub(crate) fn play(args: &PlayArgs) -> Result<ExitCode, Failure> {
         None => None,
     };
     let progress = FrameProgress::new(script.frames, args.quiet);
-    let mut display = Display { exposure: args.exposure, tone: args.tone, despeckle: !args.no_despeckle };
+    let mut display = args.display.display();
     let mut times = Vec::new();
     let mut rays = Rays::default();
     interrupt::rendering();

@@ -3,7 +3,7 @@
 //! noisier; caustics of point, spot and directional lights cannot be found this way and are missing.
 
 use super::path::{Scope, Start, trace};
-use super::{Integrator, Pass, STRIDE, turn_of};
+use super::{Costly, Integrator, Pass};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::settings::Rays;
@@ -31,17 +31,8 @@ pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: 
     if !pass.world.has_sharp_surfaces() {
         return;
     }
-    for packet in &tile.packets {
-        for k in packet.lanes() {
-            let numbers = packet.numbers[k];
-            if turn_of(pass, numbers.seed >> 16)
-                && let Some(x) = packet.visible(k)
-            {
-                let found = at(pass.world, &x.surface, numbers.branch(b's'.into()), &mut rays.path);
-                out[packet.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
-            }
-        }
-    }
+    let costly = Costly { purpose: b's', phase: 2 };
+    costly.add(pass, tile.packets.iter(), out, |x, numbers| at(pass.world, x, numbers, &mut rays.path));
 }
 
 /// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.

@@ -5,7 +5,7 @@
 //! paths are *caustic*'s.
 
 use super::short::{Short, Way};
-use super::{Integrator, Pass, STRIDE, caustic, direct, gather, mirror, turn_of};
+use super::{Costly, Integrator, Pass, caustic, direct, gather, mirror};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::sequence::ledger::eye as ledger;
@@ -38,18 +38,10 @@ impl Integrator for Compensation {
         if pass.plan.bound == f32::INFINITY {
             return;
         }
-        for packet in &tile.packets {
-            for k in packet.lanes() {
-                let numbers = packet.numbers[k];
-                if turn_of(pass, numbers.seed >> 8)
-                    && let Some(x) = packet.visible(k)
-                {
-                    let paid =
-                        beyond_clamp(pass, x.surface, Way::Straight, numbers.branch(b'c'.into()), rays);
-                    out[packet.pixels[k] as usize] += x.throughput * paid * STRIDE as f32;
-                }
-            }
-        }
+        let costly = Costly { purpose: b'c', phase: 1 };
+        costly.add(pass, tile.packets.iter(), out, |x, numbers| {
+            beyond_clamp(pass, *x, Way::Straight, numbers, rays)
+        });
     }
 }
 

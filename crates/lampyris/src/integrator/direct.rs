@@ -4,7 +4,7 @@
 //! BSDF pays back exactly what the clamp took, so that a lamp 1 mm under a ceiling makes no spikes and loses nothing.
 
 use super::short::{Short, Way};
-use super::{Integrator, Pass, STRIDE, gather, turn_of};
+use super::{Costly, Integrator, Pass, gather};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::sequence::ledger::eye as ledger;
@@ -32,17 +32,9 @@ impl Integrator for Direct {
         if reach == 0.0 {
             return;
         }
-        for packet in tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach)) {
-            for k in packet.lanes() {
-                let numbers = packet.numbers[k];
-                if turn_of(pass, numbers.seed)
-                    && let Some(x) = packet.visible(k)
-                {
-                    let near = near_light(pass, &x.surface, Way::Straight, numbers.branch(b'd'.into()), rays);
-                    out[packet.pixels[k] as usize] += x.throughput * near * STRIDE as f32;
-                }
-            }
-        }
+        let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
+        let costly = Costly { purpose: b'd', phase: 0 };
+        costly.add(pass, near, out, |x, numbers| near_light(pass, x, Way::Straight, numbers, rays));
     }
 }
 

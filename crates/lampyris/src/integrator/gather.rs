@@ -157,7 +157,8 @@ pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Rgb], ra
     }
 }
 
-fn add(p: &Packet<'_>, radiance: &[Rgb; LANES], out: &mut [Rgb]) {
+/// Adds the radiance of each point of a packet to its pixel.
+pub(super) fn add(p: &Packet<'_>, radiance: &[Rgb; LANES], out: &mut [Rgb]) {
     for k in lanes(p.live) {
         out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
     }

@@ -6,7 +6,7 @@
 
 use super::pick::pick;
 use super::short::Way;
-use super::{Integrator, Pass, STRIDE, compensation, direct, gather, turn_of};
+use super::{Costly, Integrator, Pass, compensation, direct, gather};
 use crate::color::Rgb;
 use crate::eye::{LANES, Numbers, Packet, Tile};
 use crate::geometry::{Ray, lane, lanes};
@@ -71,24 +71,15 @@ impl Integrator for Mirror {
                 let more = packet(world, p, &picked, &mut rays.shadow);
                 lanes(p.live).for_each(|k| radiance[k] += more[k]);
             }
-            for k in lanes(p.live) {
-                out[p.pixels[k] as usize] += p.throughput[k] * radiance[k];
-            }
+            gather::add(p, &radiance, out);
         }
         let reach = 1.0 / pass.plan.bound.min(pass.plan.emitter_bound).sqrt();
-        for p in tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach)) {
-            for k in p.lanes() {
-                let numbers = p.numbers[k];
-                if turn_of(pass, numbers.seed >> 24)
-                    && let Some(x) = p.visible(k)
-                {
-                    let numbers = numbers.branch(b'm'.into());
-                    let near = direct::near_light(pass, &x.surface, Way::Folded, numbers, rays)
-                        + compensation::beyond_clamp(pass, x.surface, Way::Folded, numbers.branch(0), rays);
-                    out[p.pixels[k] as usize] += x.throughput * near * STRIDE as f32;
-                }
-            }
-        }
+        let near = tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach));
+        let costly = Costly { purpose: b'm', phase: 3 };
+        costly.add(pass, near, out, |x, numbers| {
+            direct::near_light(pass, x, Way::Folded, numbers, rays)
+                + compensation::beyond_clamp(pass, *x, Way::Folded, numbers.branch(0), rays)
+        });
     }
 }
 

@@ -18,11 +18,11 @@ mod vpl;
 
 use crate::color::Rgb;
 use crate::error::{Error, Result};
-use crate::eye::{Eye, Sampling, Tile};
+use crate::eye::{Eye, Numbers, Packet, Sampling, Tile};
 use crate::particle::{Beacon, Plan, Vpl};
 use crate::photon::Photons;
 use crate::settings::{Rays, Settings};
-use crate::world::World;
+use crate::world::{Surface, World};
 
 /// What all tiles of one eye pass share.
 #[derive(Clone, Copy)]
@@ -126,9 +126,36 @@ pub fn gather_photons(parts: &[&dyn Integrator]) -> bool {
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.
-pub(crate) const STRIDE: u32 = 2;
+const STRIDE: u32 = 2;
 
-/// True in the passes whose turn it is. `phase` is a random number of the pixel, so that the mean is exact.
-pub(crate) fn turn_of(pass: &Pass<'_>, phase: u32) -> bool {
-    pass.sampling.index.wrapping_add(phase).is_multiple_of(STRIDE)
+/// A costly part of the light that each pixel gathers in the passes whose turn it is.
+pub(crate) struct Costly {
+    /// Tells its random numbers from those of others.
+    pub(crate) purpose: u8,
+    /// Which byte of a pixel's seed is its phase: turns come at random, so that the mean is exact.
+    pub(crate) phase: u32,
+}
+
+impl Costly {
+    /// Adds the radiance that `at` finds at the visible points of some packets [cd/m²], where it is their turn.
+    pub(crate) fn add<'p, 'w: 'p>(
+        &self,
+        pass: &Pass<'_>,
+        packets: impl Iterator<Item = &'p Packet<'w>>,
+        out: &mut [Rgb],
+        mut at: impl FnMut(&Surface<'w>, Numbers) -> Rgb,
+    ) {
+        for p in packets {
+            for k in p.lanes() {
+                let numbers = p.numbers[k];
+                let turn = pass.sampling.index.wrapping_add(numbers.seed >> (8 * self.phase));
+                if turn.is_multiple_of(STRIDE)
+                    && let Some(x) = p.visible(k)
+                {
+                    let found = at(&x.surface, numbers.branch(self.purpose.into()));
+                    out[p.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
+                }
+            }
+        }
+    }
 }

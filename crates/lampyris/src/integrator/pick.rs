@@ -16,8 +16,8 @@ const RUN: usize = 512;
 
 /// What a light shines through on its way to a point.
 pub(super) trait Window: Copy {
-    /// Whether something at `at` may be seen from a point that is `away` from it, x y z.
-    fn may_show(self, at: [f32; 3], away: [f32; 3]) -> bool;
+    /// Whether a point at `x` may see what is `away` from there.
+    fn may_show(self, x: Vec3, away: Vec3) -> bool;
 }
 
 /// Nothing: all of it can be seen.
@@ -26,7 +26,7 @@ pub(super) struct Open;
 
 impl Window for Open {
     #[inline(always)]
-    fn may_show(self, _: [f32; 3], _: [f32; 3]) -> bool {
+    fn may_show(self, _: Vec3, _: Vec3) -> bool {
         true
     }
 }
@@ -34,8 +34,8 @@ impl Window for Open {
 /// A planar mirror, for images behind it.
 impl Window for &Mirror {
     #[inline(always)]
-    fn may_show(self, [x, y, z]: [f32; 3], [dx, dy, dz]: [f32; 3]) -> bool {
-        self.may_be_crossed(Vec3::new(x, y, z), Vec3::new(dx, dy, dz))
+    fn may_show(self, x: Vec3, away: Vec3) -> bool {
+        self.may_be_crossed(x, away)
     }
 }
 
@@ -121,6 +121,19 @@ impl<'p, 'w> Points<'p, 'w> {
     }
 }
 
+/// min(G, b) of a light at a point; `behind` as in [`Points`].
+#[inline(always)]
+fn bounded_term(beacon: &Beacon, x: Vec3, normal: Vec3, behind: f32) -> f32 {
+    let d = beacon.position - x;
+    let (cos_x, cos_y) = (d.dot(normal), -d.dot(beacon.normal));
+    let d2 = d.length_squared();
+    let passes = cos_x * behind;
+    let cos_x = if cos_x > passes { cos_x } else { passes };
+    let g = cos_x * cos_y / (d2 * d2);
+    let bounded = if g < beacon.bound { g } else { beacon.bound };
+    if cos_y > 0.0 && d2 > 0.0 { bounded } else { 0.0 }
+}
+
 /// What each light would give all points together through a window, but for visibility and what they are made of.
 struct Weigh<'a, 'p, 'w, W> {
     points: &'a Points<'p, 'w>,
@@ -138,19 +151,12 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
         let ([x, y, z], [nx, ny, nz]) = (&packet.position, &packet.shading);
         let mut total = 0.0;
         for (weight, beacon) in self.weights.iter_mut().zip(self.run) {
-            let (at, n) = (beacon.position, beacon.normal);
             let mut terms = [0.0; LANES];
             for k in 0..LANES {
-                let (dx, dy, dz) = (at.x - x[k], at.y - y[k], at.z - z[k]);
-                let cos_x = dx * nx[k] + dy * ny[k] + dz * nz[k];
-                let cos_y = -(dx * n.x + dy * n.y + dz * n.z);
-                let d2 = dx * dx + dy * dy + dz * dz;
-                let passes = cos_x * behind[k];
-                let cos_x = if cos_x > passes { cos_x } else { passes };
-                let g = cos_x * cos_y / (d2 * d2);
-                let bounded = if g < beacon.bound { g } else { beacon.bound };
-                let may_show = self.window.may_show([x[k], y[k], z[k]], [dx, dy, dz]);
-                terms[k] = if cos_y > 0.0 && d2 > 0.0 && may_show { bounded * live[k] } else { 0.0 };
+                let at = Vec3::new(x[k], y[k], z[k]);
+                let term = bounded_term(beacon, at, Vec3::new(nx[k], ny[k], nz[k]), behind[k]);
+                let may_show = self.window.may_show(at, beacon.position - at);
+                terms[k] = if may_show { term * live[k] } else { 0.0 };
             }
             let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
             let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
@@ -179,14 +185,7 @@ impl Wide for WeighForPoint<'_> {
         let behind = if self.transmits { -1.0 } else { 0.0 };
         let mut total = 0.0;
         for (weight, beacon) in self.weights.iter_mut().zip(self.beacons.iter().step_by(self.step)) {
-            let d = beacon.position - self.x;
-            let (cos_x, cos_y) = (d.dot(self.normal), -d.dot(beacon.normal));
-            let d2 = d.length_squared();
-            let passes = cos_x * behind;
-            let cos_x = if cos_x > passes { cos_x } else { passes };
-            let g = cos_x * cos_y / (d2 * d2);
-            let bounded = if g < beacon.bound { g } else { beacon.bound };
-            *weight = if cos_y > 0.0 && d2 > 0.0 { bounded * beacon.weight } else { 0.0 };
+            *weight = bounded_term(beacon, self.x, self.normal, behind) * beacon.weight;
             total += *weight;
         }
         total
