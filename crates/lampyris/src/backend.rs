@@ -36,7 +36,7 @@ impl Default for Settings {
 
 impl Settings {
     /// A batch that is a frame to look at: each pixel gathers from one class of 25, picks what matters to it, and is
-    /// averaged with its neighbours (docs/performance.md says how these numbers were found).
+    /// averaged with its neighbours (docs/performance.md says what errors that leaves, and when).
     pub fn interactive() -> Settings {
         Settings {
             paths: 1600,
