@@ -51,12 +51,12 @@ fn the_stated_error_is_the_spread_over_seeds() {
 #[test]
 fn the_interval_of_95_percent_is_student_s() {
     // Quantiles of Student's distribution at 97.5 % [any table]: 12.706 for one degree of freedom, 3.182 for three.
-    let mut frame = Frame::new(1, 1, &["direct"], &Settings::default());
-    frame.count(0);
+    let mut frame = Frame::new(1, 1, &["direct"], &Settings::default(), 1);
+    frame.count(0, 0);
     assert_eq!(frame.student_factor(), f32::INFINITY);
-    frame.count(1);
+    frame.count(0, 1);
     assert!((frame.student_factor() - 12.706).abs() < 1e-3);
-    frame.count(2);
-    frame.count(3);
+    frame.count(0, 2);
+    frame.count(0, 3);
     assert!((frame.student_factor() - 3.182).abs() < 1e-3);
 }

@@ -20,7 +20,7 @@ impl Integrator for Openness {
         "none: no light, the shape alone"
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let Some(x) = packet.visible(k) else { continue };
@@ -31,7 +31,8 @@ impl Integrator for Openness {
                 rays.shadow += 1;
                 let ray = Ray { origin: x.surface.spawn(s.wi), direction: s.wi, t_max: 0.5 };
                 let open = if pass.world.tracer().occluded(&ray) { 0.0 } else { 1.0 };
-                out[packet.pixels[k] as usize] += Rgb::grey(open);
+                // As far as this knows, all light is of one group.
+                out[0][packet.pixels[k] as usize] += Rgb::grey(open);
             }
         }
     }
@@ -49,24 +50,15 @@ fn main() -> lampyris::Result<()> {
     let (eye, settings) = (Eye::Camera(View::new(&camera, width, height)), Settings::default());
     let plan = Plan::new(&world, &settings);
     let mut tile = eye.tiles(&world, Rect { x: 0, y: 0, width, height }, [1, 1]).remove(0);
-    let mut sum = vec![Rgb::BLACK; (width * height) as usize];
+    let mut sum = [vec![Rgb::BLACK; (width * height) as usize]];
     for index in 0..passes {
         let sampling = Sampling { offset: [0.5; 2], index, seed: 0 };
         eye.look(&sampling, &mut tile);
         let (world, settings, plan, eye) = (&world, &settings, &plan, &eye);
-        let pass = Pass {
-            world,
-            settings,
-            plan,
-            eye,
-            lights: &[],
-            vpls: &[],
-            beacons: &[],
-            photons: None,
-            sampling,
-        };
+        let pass = Pass { world, settings, plan, eye, lights: &[], photons: None, sampling };
         Openness.add(&pass, &tile, &mut sum, &mut Rays::default());
     }
+    let [sum] = sum;
     let mean = sum.into_iter().map(|v| v * (1.0 / passes as f32)).collect();
     save(Path::new(out), &Picture::new(width, height, mean), &Display::default())
 }

@@ -47,7 +47,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let settings = Settings { photons, ..Settings::default() };
         let batch = Batch { index: 0 };
         let walk = Walk::new(&world, &settings, &Plan::new(&world, &settings), batch);
-        let (seconds, map) = timed(|| Photons::new(&world, &settings, &walk, batch));
+        let (seconds, map) =
+            timed(|| Photons::new(&world, &settings, &[0], std::slice::from_ref(&walk), batch));
         println!(
             "{} photons traced and sorted in {seconds:.3} s, {} rays; {} + {} stayed, radii {:.2} and {:.2} mm",
             2 * photons,
@@ -61,8 +62,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let (mut points, mut sum) = (0_u32, 0.0);
             for packet in &tile.packets {
                 for k in (0..LANES).filter(|k| packet.live >> k & 1 == 1) {
-                    let e = map.irradiance(vector(&packet.position, k), vector(&packet.geometric, k));
-                    sum += f64::from(e.luminance());
+                    let mut e = [lampyris::Rgb::BLACK];
+                    map.irradiance(vector(&packet.position, k), vector(&packet.geometric, k), &mut e);
+                    sum += f64::from(e[0].luminance());
                     points += 1;
                 }
             }

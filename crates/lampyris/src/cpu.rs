@@ -6,10 +6,10 @@ use crate::backend::{Backend, Batch, Rays, Settings, Statistics};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Rect, Sampling, Tile};
-use crate::filter::{self, Glimpse, Seen};
+use crate::filter::{Filter, Glimpse, Seen};
 use crate::frame::{Auxiliary, Frame};
 use crate::geometry::{lane, lanes};
-use crate::integrator::{self, Integrator, Pass};
+use crate::integrator::{self, Integrator, Lights, Pass};
 use crate::particle::{Plan, Walk};
 use crate::photon::Photons;
 use crate::scene::{Edit, Scene};
@@ -44,9 +44,17 @@ struct Job {
     plan: Plan,
     integrators: Vec<&'static dyn Integrator>,
     frame: Frame,
-    /// What the last batch saw, if it is to be filtered.
-    seen: Option<Seen>,
     statistics: Statistics,
+}
+
+/// What all tiles of a batch share.
+struct Shared<'w> {
+    batch: Batch,
+    /// The light groups that the batch is added to.
+    groups: &'w [usize],
+    /// Of each class, the light of these groups.
+    lights: Vec<Vec<Lights<'w>>>,
+    photons: Option<Photons>,
 }
 
 impl Cpu {
@@ -72,20 +80,23 @@ impl Cpu {
         settings.check()?;
         let integrators = integrator::select(&settings.parts)?;
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
+        // Either parts have planes of their own or light groups: both would be too many.
+        let planes = if world.scene().groups.is_empty() { names.as_slice() } else { &[] };
         let (width, height) = eye.size();
         // Meters have no neighbours.
         let filter = settings.filter && matches!(eye, Eye::Camera(_));
         let settings = Settings { filter, ..settings.clone() };
-        self.job = Some(Job {
+        let mut job = Job {
             plan: Plan::new(&world, &settings),
-            frame: Frame::new(width, height, &names, &settings),
-            seen: settings.filter.then(|| Seen::new(width, height)),
+            frame: Frame::new(width, height, planes, &settings, world.groups()),
             statistics: Statistics::default(),
             settings,
             world,
             eye,
             integrators,
-        });
+        };
+        job.frame.set_mix(&job.world.mix());
+        self.job = Some(job);
         Ok(())
     }
 
@@ -100,15 +111,20 @@ impl Cpu {
         self.job.as_ref().map(|j| &j.world)
     }
 
-    /// Changes the world in use, on the threads of this back end. What has been summed is of the world before: it is the
-    /// caller's to [`Cpu::restart`].
+    /// Changes the world in use, on the threads of this back end. Sums of light groups whose light is another one now begin
+    /// anew; where [`Changes::restarts_all`], what has been summed is of the world before, and it is the caller's to
+    /// [`Cpu::restart`].
     ///
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
     pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.world.apply(edit))
+        let changes = pool.install(|| job.world.apply(edit))?;
+        job.plan = Plan::new(&job.world, &job.settings);
+        changes.groups.iter().for_each(|group| job.frame.restart(*group));
+        job.frame.set_mix(&job.world.mix());
+        Ok(changes)
     }
 
     fn job(&mut self) -> Result<&mut Job> {
@@ -150,60 +166,126 @@ const PIECES: u32 = 64;
 /// What some eye passes in one tile add to the frame.
 struct Summed {
     rect: Rect,
-    parts: Vec<Vec<Rgb>>,
+    /// Of each layer, the planes that its sums have.
+    layers: Vec<Vec<Vec<Rgb>>>,
     auxiliary: Option<Auxiliary>,
     glimpse: Option<Glimpse>,
     rays: Rays,
     non_finite: u64,
 }
 
+/// Tiles that are worked on together, at least, before they are summed: all threads are busy, and little waits.
+const TOGETHER: usize = 128;
+
 impl Job {
+    /// Adds a batch to the light groups that have the fewest: to all, unless some began anew.
     fn add(&mut self, batch: Batch) {
-        let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
+        let frame = &self.frame;
+        let fewest = frame.batches();
+        let groups: Vec<usize> =
+            (0..frame.layers()).filter(|group| frame.batches_of(*group) == fewest).collect();
+        let walks: Vec<Walk<'_>> = groups
+            .par_iter()
+            .map(|group| Walk::of_group(&self.world, &self.settings, &self.plan, batch, *group))
+            .collect();
         // Meters hang in the air, where no photon stays: they take the oracle.
         let useful = matches!(self.eye, Eye::Camera(_)) && self.world.has_sharp_surfaces();
         let photons = (useful && integrator::gather_photons(&self.integrators))
-            .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
-        let width = self.eye.size().0;
-        let passes = self.settings.eye_passes();
-        let rects = self.rects(batch);
-        let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32));
-        let pieces: Vec<(Rect, Range<u32>)> = rects
-            .into_iter()
-            .flat_map(|rect| (0..passes).step_by(run as usize).map(move |p| (rect, p..passes.min(p + run))))
-            .collect();
-        let sampling = self.sampling(batch, 0);
-        let done: Vec<Summed> = pieces
-            .par_iter()
-            .map(|(rect, numbers)| self.render(*rect, numbers.clone(), batch, &walk, photons.as_ref()))
-            .collect();
-
-        if let (Some(seen), Some(shown)) = (&mut self.seen, self.frame.shown_mut()) {
-            seen.assemble(&done.iter().filter_map(|piece| piece.glimpse.as_ref()).collect::<Vec<_>>());
-            let interleave = self.settings.interleave;
-            let further = filter::show(&self.world, &self.eye, &sampling, seen, interleave, shown);
-            self.statistics.rays.eye += further;
+            .then(|| Photons::new(&self.world, &self.settings, &groups, &walks, batch));
+        let mut statistics = self.statistics;
+        for walk in &walks {
+            statistics.rays.particle += walk.rays;
+            statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
         }
-        let replicate = batch.index % self.settings.replicates;
-        let mut tiles: Vec<(Rect, Vec<Vec<Rgb>>)> = Vec::with_capacity(done.len());
-        for piece in done {
-            note(&piece, width, &mut self.statistics, &mut self.frame);
-            match tiles.last_mut().filter(|(rect, _)| *rect == piece.rect) {
-                Some((_, parts)) => {
-                    let pairs = parts.iter_mut().flatten().zip(piece.parts.iter().flatten());
-                    pairs.for_each(|(sum, v)| *sum += *v);
+        statistics.rays.particle += photons.as_ref().map_or(0, |p| p.rays);
+        let lights = self.lights(&groups, &walks);
+        let shared = Shared { batch, groups: &groups, lights, photons };
+        let mut frame = std::mem::take(&mut self.frame);
+        self.draw(&shared, &mut frame, &mut statistics);
+        drop(walks);
+        (self.frame, self.statistics) = (frame, statistics);
+    }
+
+    /// Of each class, the light of some groups.
+    fn lights<'w>(&self, groups: &[usize], walks: &'w [Walk<'w>]) -> Vec<Vec<Lights<'w>>> {
+        let mut shares = vec![0.0; self.world.groups()];
+        for (number, (emitter, share)) in (0..).zip(self.world.emitters().iter().zip(self.world.shares())) {
+            // What is dark has no light paths either.
+            shares[self.world.group_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
+        }
+        let of_class = |class: u32| {
+            let of_group = |(group, walk): (&usize, &'w Walk<'w>)| Lights {
+                group: *group,
+                share: shares[*group],
+                points: walk.lights_of(class),
+                vpls: walk.vpls_of(class),
+                beacons: walk.beacons_of(class),
+            };
+            groups.iter().zip(walks).map(of_group).collect()
+        };
+        (0..self.settings.classes()).map(of_class).collect()
+    }
+
+    /// Draws a batch, some rows of tiles after the others, and adds it to a frame.
+    fn draw(&self, shared: &Shared<'_>, frame: &mut Frame, statistics: &mut Statistics) {
+        let (width, height) = self.eye.size();
+        let passes = self.settings.eye_passes();
+        let replicate = shared.batch.index % self.settings.replicates;
+        let rects = self.rects(shared.batch);
+        let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32)).max(1);
+        // What the eye meets has nothing to do with light: it is noted once.
+        let note = frame.auxiliary().is_some_and(|sums| sums.samples == frame.batches() * passes);
+        let mut seen = self.settings.filter.then(|| Seen::new((width, height), shared.groups.len()));
+        let sampling = self.sampling(shared.batch, 0);
+        let glows = self.integrators.iter().any(|i| i.name() == "emission");
+        let layer_of = |emitter| {
+            let group = self.world.group_of(emitter);
+            shared.groups.iter().position(|own| glows && *own == group)
+        };
+        let filter = Filter {
+            world: &self.world,
+            eye: &self.eye,
+            sampling,
+            interleave: self.settings.interleave,
+            layer_of: &layer_of,
+        };
+        for band in bands(&rects) {
+            let pieces: Vec<(Rect, Range<u32>)> = band
+                .iter()
+                .flat_map(|rect| (0..passes).step_by(run as usize).map(|p| (*rect, p..passes.min(p + run))))
+                .collect();
+            let done: Vec<Summed> = pieces
+                .par_iter()
+                .map(|(rect, numbers)| self.render(*rect, numbers.clone(), shared, note, &layer_of))
+                .collect();
+            if let (Some(seen), Some(first), Some(last)) = (&mut seen, band.first(), band.last()) {
+                let glimpses: Vec<&Glimpse> = done.iter().filter_map(|p| p.glimpse.as_ref()).collect();
+                let mut shown: Vec<&mut Vec<Rgb>> = frame.shown_mut(shared.groups);
+                let rows = first.y..last.y + last.height;
+                statistics.rays.eye += filter.show(seen, rows, &glimpses, &mut shown);
+            }
+            let mut layers: Vec<Vec<(Rect, Vec<Vec<Rgb>>)>> = vec![Vec::new(); shared.groups.len()];
+            for piece in done {
+                self::note(&piece, width, statistics, frame);
+                for (tiles, planes) in layers.iter_mut().zip(piece.layers) {
+                    match tiles.last_mut().filter(|(rect, _)| *rect == piece.rect) {
+                        Some((_, sums)) => {
+                            let pairs = sums.iter_mut().flatten().zip(planes.iter().flatten());
+                            pairs.for_each(|(sum, v)| *sum += *v);
+                        }
+                        None => tiles.push((piece.rect, planes)),
+                    }
                 }
-                None => tiles.push((piece.rect, piece.parts)),
+            }
+            // A batch is summed by itself before it is added: others may then merge it to the same bits.
+            for (group, tiles) in shared.groups.iter().zip(&layers) {
+                frame.add(*group, replicate, tiles);
             }
         }
-        // A batch is summed by itself before it is added: others may then merge it to the same bits.
-        self.frame.add(replicate, &tiles);
-        self.frame.count(replicate);
-        if let Some(sums) = self.frame.auxiliary_mut() {
+        shared.groups.iter().for_each(|group| frame.count(*group, replicate));
+        if let Some(sums) = frame.auxiliary_mut().filter(|_| note) {
             sums.samples += passes;
         }
-        self.statistics.rays.particle += walk.rays + photons.as_ref().map_or(0, |p| p.rays);
-        self.statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
     }
 
     /// The picture cut into tiles, elsewhere in each batch: what pixels of a tile have in common must not show.
@@ -227,52 +309,55 @@ impl Job {
         rects.collect()
     }
 
-    /// Some eye passes of a batch in one tile.
+    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first.
     fn render(
         &self,
         rect: Rect,
         numbers: Range<u32>,
-        batch: Batch,
-        walk: &Walk<'_>,
-        photons: Option<&Photons>,
+        shared: &Shared<'_>,
+        note: bool,
+        layer_of: &dyn Fn(u32) -> Option<usize>,
     ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
-        let mut parts = vec![vec![Rgb::BLACK; pixels]; self.integrators.len()];
-        let mut once = vec![Rgb::BLACK; pixels];
-        let mut auxiliary = self.settings.auxiliary.then(|| Auxiliary::new(pixels));
+        let black = || vec![Rgb::BLACK; pixels];
+        let mut once: Vec<Vec<Rgb>> = shared.groups.iter().map(|_| black()).collect();
+        let parts = || self.integrators.iter().map(|_| black()).collect::<Vec<_>>();
+        let mut layers: Vec<Vec<Vec<Rgb>>> = shared.groups.iter().map(|_| parts()).collect();
+        let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         let mut non_finite = 0;
         let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
         for number in numbers {
-            let sampling = self.sampling(batch, number);
+            let sampling = self.sampling(shared.batch, number);
             for tile in &mut tiles {
                 self.eye.look(&sampling, tile);
                 rays.eye += tile.rays;
             }
-            let first = number * tiles.len() as u32;
-            let passes: Vec<Pass<'_>> = (first..first + tiles.len() as u32)
-                .map(|class| Pass {
+            let first = number as usize * tiles.len();
+            let passes: Vec<Pass<'_>> = shared.lights[first..first + tiles.len()]
+                .iter()
+                .map(|lights| Pass {
                     world: &self.world,
                     settings: &self.settings,
                     plan: &self.plan,
                     eye: &self.eye,
-                    lights: walk.lights_of(class),
-                    vpls: walk.vpls_of(class),
-                    photons,
-                    beacons: walk.beacons_of(class),
+                    lights,
+                    photons: shared.photons.as_ref(),
                     sampling,
                 })
                 .collect();
-            for (integrator, sum) in self.integrators.iter().zip(&mut parts) {
-                once.fill(Rgb::BLACK);
+            for (part, integrator) in self.integrators.iter().enumerate() {
+                once.iter_mut().for_each(|plane| plane.fill(Rgb::BLACK));
                 for (pass, tile) in passes.iter().zip(&tiles) {
                     integrator.add(pass, tile, &mut once, &mut rays);
                 }
-                for (s, v) in sum.iter_mut().zip(&once) {
-                    if v.is_finite() {
-                        *s += *v;
-                    } else {
-                        non_finite += 1;
+                for (layer, once) in layers.iter_mut().zip(&once) {
+                    for (s, v) in layer[part].iter_mut().zip(once) {
+                        if v.is_finite() {
+                            *s += *v;
+                        } else {
+                            non_finite += 1;
+                        }
                     }
                 }
             }
@@ -281,24 +366,42 @@ impl Job {
             }
         }
         let scale = 1.0 / self.settings.eye_passes() as f32;
-        parts.iter_mut().flatten().for_each(|v| *v *= scale);
-        let glimpse = self.seen.is_some().then(|| self.glimpse(rect, &tiles, &parts));
-        Summed { rect, parts, auxiliary, glimpse, rays, non_finite }
+        layers.iter_mut().flatten().flatten().for_each(|v| *v *= scale);
+        let glimpse = self.settings.filter.then(|| self.glimpse(rect, &tiles, &layers, layer_of));
+        if !self.world.scene().groups.is_empty() {
+            layers.iter_mut().for_each(add_up);
+        }
+        Summed { rect, layers, auxiliary, glimpse, rays, non_finite }
     }
 
     /// What a batch of one eye pass saw in a tile.
-    fn glimpse(&self, rect: Rect, tiles: &[Tile<'_>], parts: &[Vec<Rgb>]) -> Glimpse {
-        let mut glimpse = Glimpse::new(rect);
-        let parts = || self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
+    fn glimpse(
+        &self,
+        rect: Rect,
+        tiles: &[Tile<'_>],
+        layers: &[Vec<Vec<Rgb>>],
+        layer_of: &dyn Fn(u32) -> Option<usize>,
+    ) -> Glimpse {
+        let mut glimpse = Glimpse::new(rect, layers.len());
+        for (number, parts) in layers.iter().enumerate() {
+            let sum = |smooth: bool| {
+                let mut sum = vec![Rgb::BLACK; (rect.width * rect.height) as usize];
+                let parts = self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
+                for (_, part) in parts.filter(|(i, _)| i.is_smooth() == smooth) {
+                    sum.iter_mut().zip(part).for_each(|(sum, v)| *sum += *v);
+                }
+                sum
+            };
+            let (shared, own) = (sum(true), sum(false));
+            for (k, (shared, own)) in shared.into_iter().zip(own).enumerate() {
+                glimpse.light(number, k, shared, own);
+            }
+        }
         for p in tiles.iter().flat_map(|tile| &tile.packets) {
-            for k in p.lanes() {
-                let at = p.pixels[k] as usize;
-                let sum = |smooth: bool| {
-                    parts()
-                        .filter(|(i, _)| i.is_smooth() == smooth)
-                        .fold(Rgb::BLACK, |s, (_, part)| s + part[at])
-                };
-                glimpse.light(at, sum(true), sum(false), p.emission[k]);
+            for gleam in &p.gleams {
+                if let Some(layer) = layer_of(gleam.emitter) {
+                    glimpse.gleam(layer, p.pixels[gleam.lane] as usize, gleam.radiance);
+                }
             }
             for k in lanes(p.live) {
                 let (position, normal) = (lane(&p.position, k), lane(&p.shading, k));
@@ -324,6 +427,19 @@ impl Job {
             shifted.fract()
         });
         Sampling { offset, index: block.wrapping_mul(passes).wrapping_add(number), seed }
+    }
+}
+
+/// Rows of tiles that are worked on together.
+fn bands(rects: &[Rect]) -> impl Iterator<Item = &[Rect]> {
+    let columns = rects.iter().take_while(|rect| rect.y == rects[0].y).count().max(1);
+    rects.chunks(TOGETHER.div_ceil(columns) * columns)
+}
+
+/// Makes the planes of all parts one.
+fn add_up(parts: &mut Vec<Vec<Rgb>>) {
+    for part in parts.split_off(1) {
+        parts[0].iter_mut().zip(part).for_each(|(sum, v)| *sum += v);
     }
 }
 

@@ -1,9 +1,13 @@
-//! Sums of batches: one plane a part, one a randomisation. The only mutable thing that outlives a batch.
+//! Sums of batches, a layer for each light group. The only mutable thing that outlives a batch.
 //! No filter ever writes into them; what filtered batches show is summed beside. Means and errors are asked for, never
 //! stored.
+//!
+//! A layer counts its own batches, and its light is weighted when it is looked at: to dim or colour a lamp costs sums over
+//! layers, and no ray. What tells the error, the randomisations, is kept for blocks of 8 × 8 pixels.
 
 use crate::color::Rgb;
 use crate::eye::Rect;
+use crate::sequence;
 use crate::settings::Settings;
 use crate::testing::student_quantile;
 use rayon::prelude::*;
@@ -15,16 +19,41 @@ pub struct Frame {
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// Name and plane of each part's sum over all batches.
-    parts: Vec<(String, Vec<Rgb>)>,
-    /// Luminance, Σ over the batches of randomisation k, all parts together.
-    replicates: Vec<Vec<f32>>,
-    /// Batches added to each randomisation.
-    batches: Vec<u32>,
-    /// Σ over the batches of what each shows, if filtered.
-    shown: Option<Vec<Rgb>>,
+    /// Names of the parts that have planes of their own.
+    parts: Vec<String>,
+    layers: Vec<Layer>,
+    /// Randomisations.
+    replicates: usize,
+    filtered: bool,
     auxiliary: Option<Auxiliary>,
 }
+
+/// The light of one group.
+#[derive(Clone, Debug, Default)]
+struct Layer {
+    /// What it is multiplied by.
+    color: Rgb,
+    /// Sum over all batches: a plane for each part, or one of all parts together.
+    planes: Vec<Vec<Rgb>>,
+    /// The sums of each randomisation.
+    replicates: Vec<Replicate>,
+    /// Σ over the batches of what each shows, if filtered.
+    shown: Option<Vec<Rgb>>,
+}
+
+/// What a randomisation's spread is known by.
+#[derive(Clone, Debug, Default)]
+struct Replicate {
+    /// Sums of blocks of pixels, row by row.
+    blocks: Vec<Rgb>,
+    /// Sums of one pixel of each block.
+    probes: Vec<Rgb>,
+    /// Batches added.
+    batches: u32,
+}
+
+/// Edge of a block of pixels.
+const BLOCK: u32 = 8;
 
 /// Means of what the eye meets first, pixel by pixel.
 #[derive(Clone, Debug, Default)]
@@ -64,100 +93,172 @@ impl Auxiliary {
 }
 
 impl Frame {
-    /// An empty frame.
-    pub fn new(width: u32, height: u32, parts: &[&str], settings: &Settings) -> Frame {
+    /// An empty frame of so many layers. In each of them the parts named have a plane of their own; if none is, there is one
+    /// for all of them.
+    pub fn new(width: u32, height: u32, parts: &[&str], settings: &Settings, layers: usize) -> Frame {
         let pixels = width as usize * height as usize;
-        Frame {
+        let mut frame = Frame {
             width,
             height,
-            parts: parts.iter().map(|n| ((*n).to_owned(), vec![Rgb::BLACK; pixels])).collect(),
-            replicates: vec![vec![0.0; pixels]; settings.replicates as usize],
-            batches: vec![0; settings.replicates as usize],
-            shown: settings.filter.then(|| vec![Rgb::BLACK; pixels]),
+            parts: parts.iter().map(|n| (*n).to_owned()).collect(),
+            layers: Vec::new(),
+            replicates: settings.replicates as usize,
+            filtered: settings.filter,
             auxiliary: settings.auxiliary.then(|| Auxiliary::new(pixels)),
+        };
+        frame.layers = vec![frame.empty(); layers];
+        frame
+    }
+
+    /// A layer without batches.
+    fn empty(&self) -> Layer {
+        let plane = || vec![Rgb::BLACK; self.width as usize * self.height as usize];
+        let [columns, rows] = self.blocks();
+        let blocks = vec![Rgb::BLACK; columns * rows];
+        let replicate = Replicate { probes: blocks.clone(), blocks, batches: 0 };
+        Layer {
+            color: Rgb::WHITE,
+            planes: (0..self.parts.len().max(1)).map(|_| plane()).collect(),
+            replicates: vec![replicate; self.replicates],
+            shown: self.filtered.then(plane),
         }
     }
 
-    /// Batches added so far.
+    /// Empties a layer, or adds one of the next number.
+    pub(crate) fn restart(&mut self, layer: usize) {
+        let empty = self.empty();
+        match self.layers.get_mut(layer) {
+            Some(own) => *own = Layer { color: own.color, ..empty },
+            None => self.layers.push(empty),
+        }
+    }
+
+    /// What each layer is multiplied by from now on: level and colour of its lamps.
+    pub fn set_mix(&mut self, colors: &[Rgb]) {
+        self.layers.iter_mut().zip(colors).for_each(|(layer, color)| layer.color = *color);
+    }
+
+    /// Blocks in a row, and rows of them. Meters, all in one row, are a block each.
+    fn blocks(&self) -> [usize; 2] {
+        let edge = self.block();
+        [self.width.div_ceil(edge) as usize, self.height.div_ceil(edge) as usize]
+    }
+
+    fn block(&self) -> u32 {
+        if self.height == 1 { 1 } else { BLOCK }
+    }
+
+    /// Batches that all layers have.
     pub fn batches(&self) -> u32 {
-        self.batches.iter().sum()
+        self.layers.iter().map(Layer::batches).min().unwrap_or(0)
     }
 
-    /// Names of the parts.
+    /// How many layers there are.
+    pub fn layers(&self) -> usize {
+        self.layers.len()
+    }
+
+    /// Batches of one layer.
+    pub fn batches_of(&self, layer: usize) -> u32 {
+        self.layers.get(layer).map_or(0, Layer::batches)
+    }
+
+    /// Names of the parts that can be told apart: none where lamps are.
     pub fn part_names(&self) -> impl Iterator<Item = &str> {
-        self.parts.iter().map(|(n, _)| n.as_str())
+        self.parts.iter().map(String::as_str)
     }
 
-    /// The mean of one part over all batches, row by row from the top; `None` if it was not rendered.
+    /// The mean of one part over all batches, row by row from the top; `None` if it has no plane.
     pub fn part(&self, name: &str) -> Option<Vec<Rgb>> {
-        let scale = 1.0 / self.batches().max(1) as f32;
-        let (_, plane) = self.parts.iter().find(|(n, _)| n == name)?;
-        Some(plane.iter().map(|s| *s * scale).collect())
+        let number = self.parts.iter().position(|n| n == name)?;
+        let [layer] = self.layers.as_slice() else { return None };
+        let scale = layer.color * layer.scale();
+        Some(layer.planes.get(number)?.iter().map(|s| *s * scale).collect())
     }
 
-    /// The picture: the mean of all parts together.
+    /// The mean of one layer over all its batches, in its colour; `None` if there is none of that number.
+    pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
+        let mut mean = self.black();
+        self.layers.get(number)?.add_mean(1.0, &mut mean);
+        Some(mean)
+    }
+
+    /// The picture: the mean of all layers together.
     pub fn mean(&self) -> Vec<Rgb> {
-        let scale = 1.0 / self.batches().max(1) as f32;
-        let mut mean = vec![Rgb::BLACK; self.width as usize * self.height as usize];
-        for (_, plane) in &self.parts {
-            mean.iter_mut().zip(plane).for_each(|(m, s)| *m += *s * scale);
-        }
+        let mut mean = self.black();
+        self.layers.iter().for_each(|layer| layer.add_mean(1.0, &mut mean));
         mean
     }
 
     /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
     /// be visible. The one turns into the other by degrees.
     pub fn shown(&self) -> Vec<Rgb> {
-        let mut mean = self.mean();
-        let Some(filtered) = &self.shown else { return mean };
-        let share = filtered_share(self.visible_error());
-        let scale = 1.0 / self.batches().max(1) as f32;
-        let mix = |(m, s): (&mut Rgb, &Rgb)| *m = *m * (1.0 - share) + *s * (share * scale);
-        mean.iter_mut().zip(filtered).for_each(mix);
-        mean
+        let share = if self.filtered { filtered_share(self.visible_error()) } else { 0.0 };
+        let mut picture = self.black();
+        for layer in &self.layers {
+            if share < 1.0 {
+                layer.add_mean(1.0 - share, &mut picture);
+            }
+            if let Some(shown) = layer.shown.as_ref().filter(|_| share > 0.0) {
+                add_scaled(shown, layer.color * (share * layer.scale()), &mut picture);
+            }
+        }
+        picture
     }
 
-    /// The mean over all pixels of the squared relative error that the spread of the randomisations promises, dark pixels
-    /// measured against a tenth of the mean; infinite before two of them have a batch.
+    fn black(&self) -> Vec<Rgb> {
+        vec![Rgb::BLACK; self.width as usize * self.height as usize]
+    }
+
+    /// The mean over pixels of the squared relative error that the spread of the randomisations promises, dark pixels
+    /// measured against a tenth of the mean; infinite before two of them have a batch. One pixel of each block stands for
+    /// all.
     fn visible_error(&self) -> f64 {
-        let used = || (0..self.batches.len()).filter(|k| self.batches[*k] > 0);
-        let count = used().count();
-        if count < 2 {
+        let used = self.used();
+        if used.len() < 2 {
             return f64::INFINITY;
         }
-        let n = self.batches() as f32;
-        let means: Vec<f32> = (0..self.replicates[0].len())
-            .map(|at| used().map(|k| self.replicates[k][at]).sum::<f32>() / n)
+        let probes: Vec<(f64, f64)> = (0..self.layers[0].replicates[0].probes.len())
+            .map(|at| self.moments(&used, |replicate| replicate.probes[at]))
             .collect();
-        let tenth = 0.1 * means.iter().map(|m| f64::from(*m)).sum::<f64>() / means.len().max(1) as f64;
-        let floor = (tenth * tenth) as f32;
-        let error = |(at, mean): (usize, &f32)| {
-            let squares = used().map(|k| {
-                let nk = self.batches[k] as f32;
-                nk * (self.replicates[k][at] / nk - mean).powi(2)
-            });
-            let variance = squares.sum::<f32>() / ((count - 1) as f32 * n);
-            f64::from(variance / (mean * mean + floor).max(f32::MIN_POSITIVE))
-        };
-        means.iter().enumerate().map(error).sum::<f64>() / means.len().max(1) as f64
+        let tenth = 0.1 * probes.iter().map(|(mean, _)| mean).sum::<f64>() / probes.len().max(1) as f64;
+        let error = |(mean, variance): &(f64, f64)| variance / (mean * mean + tenth * tenth).max(1e-30);
+        probes.iter().map(error).sum::<f64>() / probes.len().max(1) as f64
     }
 
-    /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²];
-    /// infinite before each of two has a batch.
+    /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²]; in a picture of
+    /// more than one row, of the mean over the block of 8 × 8 pixels around it. Infinite before each of two has a batch.
     pub fn standard_error(&self, pixel: usize) -> f32 {
-        self.spread(|k| self.replicates[k][pixel].into()) as f32
+        let (used, edge) = (self.used(), self.block());
+        if used.len() < 2 {
+            return f32::INFINITY;
+        }
+        let (x, y) = (pixel as u32 % self.width, pixel as u32 / self.width);
+        let at = (y / edge) as usize * self.blocks()[0] + (x / edge) as usize;
+        let size = |length: u32, at: u32| edge.min(length - at / edge * edge);
+        let pixels = size(self.width, x) * size(self.height, y);
+        let (_, variance) = self.moments(&used, |replicate| replicate.blocks[at]);
+        (variance.sqrt() / f64::from(pixels)) as f32
     }
 
     /// Standard error of the picture's mean luminance, relative to it.
     pub fn relative_error(&self) -> f32 {
-        let sums: Vec<f64> = self.replicates.iter().map(|p| p.iter().map(|s| f64::from(*s)).sum()).collect();
-        let mean = sums.iter().sum::<f64>() / f64::from(self.batches().max(1));
-        if mean == 0.0 { 0.0 } else { (self.spread(|k| sums[k]) / mean).abs() as f32 }
+        let used = self.used();
+        if used.len() < 2 {
+            return f32::INFINITY;
+        }
+        let sum = |replicate: &Replicate| {
+            let [r, g, b] = [|c: &Rgb| c.r, |c: &Rgb| c.g, |c: &Rgb| c.b]
+                .map(|channel| replicate.blocks.iter().map(|c| f64::from(channel(c))).sum::<f64>() as f32);
+            Rgb::new(r, g, b)
+        };
+        let (mean, variance) = self.moments(&used, sum);
+        if mean == 0.0 { 0.0 } else { (variance.sqrt() / mean).abs() as f32 }
     }
 
     /// Half the width of Student's 95 % interval, in standard errors.
     pub fn student_factor(&self) -> f32 {
-        let used = self.batches.iter().filter(|n| **n > 0).count();
+        let used = self.used().len();
         if used < 2 { f32::INFINITY } else { student_quantile(0.05, used as f64 - 1.0) as f32 }
     }
 
@@ -166,66 +267,119 @@ impl Frame {
         self.auxiliary.as_ref()
     }
 
-    /// Adds a batch of randomisation `replicate`: rectangles of the picture, each with the values of the parts in the order
-    /// of `part_names`, row by row.
-    pub fn add(&mut self, replicate: u32, tiles: &[(Rect, Vec<Vec<Rgb>>)]) {
-        let Frame { width, parts, replicates, .. } = self;
-        let luminance = &mut replicates[replicate as usize];
-        let places = |rect: &Rect| {
-            let (left, width) = (rect.x as usize, *width as usize);
-            (rect.y as usize..(rect.y + rect.height) as usize).map(move |row| row * width + left)
+    /// Adds a batch of randomisation `replicate` to a layer: rectangles of the picture, each with the values of the parts in
+    /// the order of `part_names`, or of all of them together, row by row.
+    pub fn add(&mut self, layer: usize, replicate: u32, tiles: &[(Rect, Vec<Vec<Rgb>>)]) {
+        let ([columns, _], edge, width) = (self.blocks(), self.block(), self.width as usize);
+        let Layer { planes, replicates, .. } = &mut self.layers[layer];
+        let Replicate { blocks, probes, .. } = &mut replicates[replicate as usize];
+        let rows = |rect: &Rect| {
+            let left = rect.x;
+            (rect.y..rect.y + rect.height).map(move |y| (left, y))
         };
-        let add_parts = || {
-            parts.par_iter_mut().enumerate().for_each(|(number, (_, sum))| {
+        let add_planes = || {
+            planes.par_iter_mut().enumerate().for_each(|(number, sum)| {
                 for (rect, values) in tiles {
-                    let rows = values[number].chunks(rect.width as usize);
-                    for (at, values) in places(rect).zip(rows) {
+                    for ((x, y), values) in rows(rect).zip(values[number].chunks(rect.width as usize)) {
+                        let at = y as usize * width + x as usize;
                         sum[at..at + values.len()].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
                     }
                 }
             });
         };
-        let add_luminance = || {
+        let add_blocks = || {
             for (rect, values) in tiles {
-                for values in values {
-                    for (at, values) in places(rect).zip(values.chunks(rect.width as usize)) {
-                        let pairs = luminance[at..at + values.len()].iter_mut().zip(values);
-                        pairs.for_each(|(s, v)| *s += v.luminance());
+                for ((left, y), row) in
+                    values.iter().flat_map(|v| rows(rect).zip(v.chunks(rect.width as usize)))
+                {
+                    let mut x = left;
+                    while x < left + rect.width {
+                        let end = ((x / edge + 1) * edge).min(left + rect.width);
+                        let at = (y / edge) as usize * columns + (x / edge) as usize;
+                        let [px, py] = probe(at, edge);
+                        let (px, values) =
+                            (x / edge * edge + px, &row[(x - left) as usize..(end - left) as usize]);
+                        values.iter().for_each(|v| blocks[at] += *v);
+                        if y % edge == py && (x..end).contains(&px) {
+                            probes[at] += values[(px - x) as usize];
+                        }
+                        x = end;
                     }
                 }
             }
         };
-        rayon::join(add_parts, add_luminance);
+        rayon::join(add_planes, add_blocks);
     }
 
-    /// A batch of randomisation `replicate` is complete: every pixel of it was added once.
-    pub fn count(&mut self, replicate: u32) {
-        self.batches[replicate as usize] += 1;
+    /// A batch of randomisation `replicate` is complete in a layer: every pixel of it was added once.
+    pub fn count(&mut self, layer: usize, replicate: u32) {
+        self.layers[layer].replicates[replicate as usize].batches += 1;
     }
 
-    pub(crate) fn shown_mut(&mut self) -> Option<&mut Vec<Rgb>> {
-        self.shown.as_mut()
+    /// What is shown of some layers, whose numbers ascend.
+    pub(crate) fn shown_mut(&mut self, layers: &[usize]) -> Vec<&mut Vec<Rgb>> {
+        let asked = (0..).zip(&mut self.layers).filter(|(number, _)| layers.contains(number));
+        asked.filter_map(|(_, layer)| layer.shown.as_mut()).collect()
     }
 
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
         self.auxiliary.as_mut()
     }
 
-    /// Standard error of Σ/n from the sums of the randomisations, of n_k batches each: the variance of one batch is
-    /// estimated by Σ n_k (m_k − m)² / (r − 1).
-    fn spread(&self, sum: impl Fn(usize) -> f64) -> f64 {
-        let used: Vec<usize> = (0..self.batches.len()).filter(|k| self.batches[*k] > 0).collect();
-        if used.len() < 2 {
-            return f64::INFINITY;
-        }
-        let n: f64 = f64::from(self.batches());
-        let mean = used.iter().map(|k| sum(*k)).sum::<f64>() / n;
-        let squares = used.iter().map(|k| {
-            let nk = f64::from(self.batches[*k]);
-            nk * (sum(*k) / nk - mean).powi(2)
-        });
-        (squares.sum::<f64>() / (used.len() - 1) as f64 / n).sqrt()
+    /// Randomisations of which every layer has a batch.
+    fn used(&self) -> Vec<usize> {
+        let has = |k: &usize| self.layers.iter().all(|layer| layer.replicates[*k].batches > 0);
+        (0..self.replicates).filter(has).collect()
     }
+
+    /// Luminance of the mean, and its variance, of what `sum` tells of each randomisation, from n_k batches each: the
+    /// variance of one batch is estimated by Σ n_k (m_k − m)² / (r − 1). Where layers have more batches or less, n_k is the
+    /// least of them.
+    fn moments(&self, used: &[usize], sum: impl Fn(&Replicate) -> Rgb) -> (f64, f64) {
+        let of = |k: &usize| {
+            let replicates = || self.layers.iter().map(|layer| (layer.color, &layer.replicates[*k]));
+            let least = replicates().map(|(_, r)| r.batches).min().unwrap_or(0);
+            let mean = |(color, r): (Rgb, &Replicate)| {
+                f64::from((color * sum(r)).luminance()) / f64::from(r.batches)
+            };
+            (f64::from(least), replicates().map(mean).sum::<f64>())
+        };
+        let means: Vec<(f64, f64)> = used.iter().map(of).collect();
+        let n: f64 = means.iter().map(|(n, _)| n).sum();
+        let mean = means.iter().map(|(n, m)| n * m).sum::<f64>() / n;
+        let squares = means.iter().map(|(n, m)| n * (m - mean).powi(2));
+        (mean, squares.sum::<f64>() / (used.len() - 1) as f64 / n)
+    }
+}
+
+impl Layer {
+    fn batches(&self) -> u32 {
+        self.replicates.iter().map(|r| r.batches).sum()
+    }
+
+    fn scale(&self) -> f32 {
+        1.0 / self.batches().max(1) as f32
+    }
+
+    /// Adds so much of its mean, in its colour.
+    fn add_mean(&self, share: f32, to: &mut [Rgb]) {
+        let scale = self.color * (share * self.scale());
+        self.planes.iter().for_each(|plane| add_scaled(plane, scale, to));
+    }
+}
+
+/// Adds a plane, times a colour.
+fn add_scaled(plane: &[Rgb], by: Rgb, to: &mut [Rgb]) {
+    const RUN: usize = 1 << 14;
+    to.par_chunks_mut(RUN).zip(plane.par_chunks(RUN)).for_each(|(to, plane)| {
+        to.iter_mut().zip(plane).for_each(|(to, v)| *to += *v * by);
+    });
+}
+
+/// Which pixel of a block stands for all: another in each, or interleaving would always see the same class.
+fn probe(block: usize, edge: u32) -> [u32; 2] {
+    let number = sequence::hash(block as u32, u32::from(b'p'));
+    [number % edge, number / edge % edge]
 }
 
 /// Squared relative errors between which the unfiltered mean takes over: what filtering leaves lies about the smaller.
@@ -243,10 +397,10 @@ mod tests {
 
     #[test]
     fn the_interval_is_students() {
-        let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() });
+        let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() }, 1);
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
-            frame.add(k, &[(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])]);
-            frame.count(k);
+            frame.add(0, k, &[(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])]);
+            frame.count(0, k);
         }
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.
         assert!((frame.standard_error(0) - (5.0f32 / 12.0).sqrt()).abs() < 1e-6);

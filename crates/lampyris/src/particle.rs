@@ -52,8 +52,10 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of emitters [m⁻²]: one for all, since each path carries the same light, an N-th of what the
-    /// file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
+    /// b for the points of the emitters of each light group [m⁻²]: one for all of a group, since each path carries the same
+    /// light, an N-th of what the file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
+    pub emitter_bounds: Vec<f32>,
+    /// The least of them.
     pub emitter_bound: f32,
     absorption: Absorption,
     /// x₀ of each emitter: its expected (or floored) number of paths.
@@ -103,13 +105,22 @@ impl Plan {
             if r2 > 0.0 { (1.0 / r2) as f32 } else { f32::INFINITY }
         };
         let q = f64::from(survival);
-        let chances = world.chances().iter().copied().map(f64::from);
         let points = settings.light_points.map_or(n, |l| f64::from(l).min(n));
-        let emitting = world.emitters().iter().zip(chances).map(|(e, p)| p * f64::from(e.area())).sum();
+        let mut emitting = vec![[0.0; 2]; world.groups()];
+        for (k, (e, p)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
+            if !e.is_dark() {
+                let [area, share] = &mut emitting[world.group_of(k)];
+                *area += f64::from(*p) * f64::from(e.area());
+                *share += f64::from(*p);
+            }
+        }
+        let mean = |[area, share]: &[f64; 2]| if *share > 0.0 { area / share } else { 0.0 };
+        let emitter_bounds: Vec<f32> = emitting.iter().map(|of| bound_of(mean(of), points)).collect();
         Plan {
             survival,
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
-            emitter_bound: bound_of(emitting, points),
+            emitter_bound: emitter_bounds.iter().copied().fold(f32::INFINITY, f32::min),
+            emitter_bounds,
             absorption: settings.absorption,
             starts,
             pointing: points / n,
@@ -141,7 +152,28 @@ struct Path {
 impl<'w> Walk<'w> {
     /// Walks all particles of a batch. The result depends on nothing but its arguments.
     pub fn new(world: &'w World, settings: &Settings, plan: &Plan, batch: Batch) -> Walk<'w> {
-        let paths = start_paths(world, settings, plan, batch);
+        Walk::from_emitters(world, settings, plan, batch, |_| true)
+    }
+
+    /// The particles that [`Walk::new`] has from the emitters of one light group.
+    pub fn of_group(
+        world: &'w World,
+        settings: &Settings,
+        plan: &Plan,
+        batch: Batch,
+        group: usize,
+    ) -> Walk<'w> {
+        Walk::from_emitters(world, settings, plan, batch, |emitter| world.group_of(emitter) == group)
+    }
+
+    fn from_emitters(
+        world: &'w World,
+        settings: &Settings,
+        plan: &Plan,
+        batch: Batch,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Walk<'w> {
+        let paths = start_paths(world, settings, plan, batch, wanted);
         let traced: Vec<Traced<'w>> =
             paths.par_iter().with_min_len(16).map(|p| trace(world, settings, plan, p)).collect();
         let mut walk = Walk::default();
@@ -208,7 +240,13 @@ impl From<&Vpl<'_>> for Beacon {
 /// i of the k-th run has rank (i + frac(ξ + k/K)) K: the mean number of ranks below x is x/K in each run, and x in all of
 /// them to within one. The runs rotate from batch to batch, so that a pixel comes by every residue of the sequence
 /// [Wald et al. 2002, §4.2]; within a run the paths are dealt to the eye passes.
-fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) -> Vec<Path> {
+fn start_paths(
+    world: &World,
+    settings: &Settings,
+    plan: &Plan,
+    batch: Batch,
+    wanted: impl Fn(u32) -> bool,
+) -> Vec<Path> {
     let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
     let seed = sequence::hash(settings.seed, replicate);
     // Unscrambled sequences know no randomisations: there every batch takes the next block of the one sequence.
@@ -222,7 +260,7 @@ fn start_paths(world: &World, settings: &Settings, plan: &Plan, batch: Batch) ->
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
         let x0 = plan.expected(emitter, 0);
-        if world.emitters()[emitter].is_dark() {
+        if world.emitters()[emitter].is_dark() || !wanted(emitter as u32) {
             // Its paths would carry nothing. Those of others are the same with or without them.
             continue;
         }
@@ -297,7 +335,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
             position: point.position,
             shine: point.shine,
             intensity: point.intensity * (share / pointing as f32),
-            bound: plan.emitter_bound,
+            bound: plan.emitter_bounds[world.group_of(path.emitter as u32)],
             gloss: None,
         }
     });

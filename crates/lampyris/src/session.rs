@@ -2,8 +2,9 @@
 //! edits. No thread and no clock is in here: a step is as long as a batch takes, and whose turn it is the caller decides.
 //!
 //! *Edited is fresh*: a picture never depends on how the scene came to be what it is. After any edits it has the bits of
-//! one begun anew with [`Session::scene`]. Whatever changes light, or where it is seen from, starts the picture at batch
-//! 0 again.
+//! one begun anew with [`Session::scene`], once all light groups have as many batches. What changes the light of a group
+//! starts that group at batch 0 again; what changes all light, or where it is seen from, starts the picture; and levels and
+//! colours of groups start nothing ([`Edit::Mix`]).
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
 use crate::cpu::Cpu;
@@ -98,7 +99,7 @@ impl Session {
         log.iter().try_for_each(|edit| self.edit(edit).map(drop))
     }
 
-    /// Adds a batch to the picture.
+    /// Adds a batch to the picture: the next one of the light groups that have fewest.
     ///
     /// # Errors
     /// Those of the back end.
@@ -107,7 +108,7 @@ impl Session {
         self.cpu.add(Batch { index })
     }
 
-    /// Adds batches until there are `batches` of them.
+    /// Adds batches until all light groups have `batches` of them.
     ///
     /// # Errors
     /// As [`Session::step`].
@@ -165,7 +166,7 @@ impl Session {
         }
         let changes = self.cpu.edit(edit)?;
         self.log.push(edit.clone());
-        if changes.any() {
+        if changes.restarts_all() {
             let eye = eye(self.scene()?.view.as_ref(), self.size)?;
             self.cpu.restart(eye, &self.settings)?;
         }

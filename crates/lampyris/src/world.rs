@@ -7,6 +7,7 @@ mod emitters;
 mod facet;
 mod finish;
 mod geometry;
+mod groups;
 mod measure;
 mod mirrors;
 mod points;
@@ -54,6 +55,8 @@ pub struct World {
 /// What a ray meets on its way to the first surface: a lamp's glow, or the environment behind everything.
 #[derive(Clone, Copy, Debug)]
 pub struct Glow {
+    /// Whose it is.
+    pub emitter: u32,
     /// Radiance toward the ray's origin [cd/m²].
     pub radiance: Rgb,
     /// Probability of choosing the emitter times the density of `toward` for it [sr⁻¹].
@@ -130,9 +133,23 @@ impl World {
         &self.emitters.shares
     }
 
-    /// The shares of those that are not dark, scaled to sum to 1: with what probability [`World::choose_emitter`] chooses each.
-    pub fn chances(&self) -> &[f32] {
-        &self.emitters.chances
+    /// Into how many groups the lamps are sorted, whose light is summed apart: at least one.
+    pub fn groups(&self) -> usize {
+        self.scene.groups.len().max(1)
+    }
+
+    /// What the light of each group is multiplied by when it is shown.
+    pub fn mix(&self) -> Vec<Rgb> {
+        match self.scene.groups.as_slice() {
+            [] => vec![Rgb::WHITE],
+            groups => groups.iter().map(|group| group.color).collect(),
+        }
+    }
+
+    /// The group of an emitter.
+    #[inline]
+    pub fn group_of(&self, emitter: u32) -> usize {
+        usize::from(self.emitters.reference.shares[emitter as usize].group)
     }
 
     /// The sphere around everything.
@@ -273,30 +290,31 @@ impl World {
         let distance = (surface.position - x).length();
         let cosine = surface.normal.dot(surface.wo).abs();
         let Emitter::Side(side) = &self.emitters.all[k as usize] else { return 0.0 };
-        let chance = self.emitters.chances[k as usize];
+        let chance = self.emitters.shares[k as usize];
         chance * (distance * distance / (cosine * side.area_around(surface.triangle)))
     }
 
     /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
     pub fn glows(&self, origin: Vec3, direction: Vec3, t_max: f32, mut see: impl FnMut(Glow)) {
-        let Emitters { all, chances, lamps, environment, .. } = &self.emitters;
+        let Emitters { all, shares, lamps, environment, .. } = &self.emitters;
         for &k in lamps {
             let e = &all[k as usize];
             if let Some((distance, radiance, cosine)) = e.met_by(origin, direction, t_max) {
-                let pdf = chances[k as usize] * e.pdf(origin, distance, cosine);
-                see(Glow { radiance, pdf, distance, cosine });
+                let pdf = shares[k as usize] * e.pdf(origin, distance, cosine);
+                see(Glow { emitter: k, radiance, pdf, distance, cosine });
             }
         }
         if let (Some(k), true) = (*environment, t_max == f32::INFINITY) {
             let (radiance, pdf) = all[k as usize].around(direction);
-            let pdf = chances[k as usize] * pdf;
-            see(Glow { radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
+            let pdf = shares[k as usize] * pdf;
+            see(Glow { emitter: k, radiance, pdf, distance: f32::INFINITY, cosine: 1.0 });
         }
     }
 
-    /// The emitter that `u` in [0, 1) chooses, and the probability of that; `None` where nothing shines.
-    pub fn choose_emitter(&self, u: f32) -> Option<(u32, f32)> {
-        self.emitters.choose(u).map(|k| (k, self.emitters.chances[k as usize]))
+    /// The emitters that `u` in [0, 1) chooses, and the probability of each, its share: one in a scene as it was loaded,
+    /// more where lamps were added, perhaps none where some were taken away.
+    pub fn choose_emitters(&self, u: f32) -> impl Iterator<Item = (u32, f32)> {
+        self.emitters.choose(u).map(|k| (k, self.emitters.shares[k as usize]))
     }
 
     /// Works out what follows from a material's finish alone.
@@ -323,9 +341,10 @@ impl World {
         self.figures = Figures::new(&self.extents, &self.scene.lights);
         let Figures { bounds, area, .. } = self.figures;
         let tracer = &self.tracer;
-        if self.emitters.share_out(bounds, |e| openness(e, tracer, bounds, area))
-            || self.emitters.reference.shares.len() != self.scene.reference.shares.len()
-        {
+        let known = self.scene.reference.shares.len();
+        let more = self.emitters.reference.shares.len() > known;
+        if self.emitters.share_out(bounds, |e| openness(e, tracer, bounds, area)) || more {
+            self.group_from(known);
             let reference = self.emitters.reference.clone();
             self.change_scene(|scene| scene.reference = reference);
         }

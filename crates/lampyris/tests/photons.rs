@@ -32,7 +32,15 @@ fn pane() -> Bsdf {
 fn map(world: &World, photons: u32, seed: u32, index: u32) -> Photons {
     let s = Settings { photons, ..settings(&["caustic"], 64, 4, seed) };
     let batch = Batch { index };
-    Photons::new(world, &s, &Walk::new(world, &s, &Plan::new(world, &s), batch), batch)
+    let walk = Walk::new(world, &s, &Plan::new(world, &s), batch);
+    Photons::new(world, &s, &[0], &[walk], batch)
+}
+
+/// Illuminance by the photons of a grid [lx].
+fn light(grid: &Grid, x: Vec3, normal: Vec3) -> Rgb {
+    let mut sum = Rgb::BLACK;
+    grid.irradiance(x, normal, |_, light| sum += light);
+    sum
 }
 
 /// Flux of photons [lm].
@@ -78,14 +86,15 @@ fn the_grid_finds_what_a_sum_over_all_photons_finds() {
                 Photon { position: place(i), flux, wi: normal, normal, emitter: 0 }
             })
             .collect();
+        let corner = Vec3::splat(-0.5 * size);
         for r in [0.01, 0.1, 0.6] {
-            let grid = Grid::new(photons.clone(), r);
+            let grid = Grid::new(photons.clone(), corner, r);
             for i in 0..400 {
                 // Around photons, and anywhere.
                 let jump = Vec3::new(random(i, 8) - 0.5, 0.1 * random(i, 9), random(i, 10) - 0.5) * (2.0 * r);
                 let x = if i.is_multiple_of(2) { place(i * 7) + jump } else { place(i + count) };
                 let n = if i.is_multiple_of(4) { Vec3::X } else { Vec3::Y };
-                let (one, all) = (f64::from(grid.irradiance(x, n).r), everything(&photons, x, n, r));
+                let (one, all) = (f64::from(light(&grid, x, n).r), everything(&photons, x, n, r));
                 // A photon at the very rim may fall to either side of the cut.
                 let rounding = 1e-4 * all + 1e-4 / f64::from(r * r);
                 assert!((one - all).abs() <= rounding, "{count} photons, r = {r}: {one} for {all} at {x}");
@@ -104,16 +113,16 @@ fn the_kernel_integrates_to_one() {
     let frame = lampyris::geometry::Frame::new(n);
     let (r, position) = (0.3, Vec3::new(4.0, -2.0, 1.0));
     let photon = Photon { position, flux: Rgb::WHITE, wi: n, normal: n, emitter: 0 };
-    let grid = Grid::new(vec![photon], r);
+    let grid = Grid::new(vec![photon], position, r);
     let step = 2.4 * r / STEPS as f32;
     let at = |i: u32, j: u32| {
         let [x, y] = [i, j].map(|k| (k as f32 + 0.5) * step - 1.2 * r);
         position + frame.s * x + frame.t * y
     };
-    let cells = (0..STEPS * STEPS).map(|k| grid.irradiance(at(k / STEPS, k % STEPS), n).r);
+    let cells = (0..STEPS * STEPS).map(|k| light(&grid, at(k / STEPS, k % STEPS), n).r);
     let integral: f64 = cells.map(|e| f64::from(e * step * step)).sum();
     close("kernel", integral, 1.0, 2e-4);
-    assert!(grid.irradiance(position, -n).is_black() && grid.irradiance(position + n * r, n).is_black());
+    assert!(light(&grid, position, -n).is_black() && light(&grid, position + n * r, n).is_black());
 }
 
 /// Parallel light through a pane: (1 − R)/(1 + R) of it lies below, with R = 0.04. The rest is reflected by what counts
@@ -309,7 +318,11 @@ fn the_light_of_the_caustic_is_the_oracles() {
     close_mean("flux on the floor", 12, truth.mean(), 0.01, |seed| on_floor(&map(&world, 1 << 16, seed, 0)));
 
     let estimated = |photons: &Photons, seed: u32| {
-        let e = |[u, v]: [f32; 2]| photons.irradiance(Vec3::new(3.0 * u - 1.5, 0.0, 3.0 * v - 1.5), Vec3::Y);
+        let e = |[u, v]: [f32; 2]| {
+            let mut light = [Rgb::BLACK];
+            photons.irradiance(Vec3::new(3.0 * u - 1.5, 0.0, 3.0 * v - 1.5), Vec3::Y, &mut light);
+            light[0]
+        };
         let sum: f64 = (0..4 * METERS).map(|i| f64::from(e(spread(i, seed)).luminance())).sum();
         sum * 9.0 / f64::from(4 * METERS)
     };

@@ -54,13 +54,14 @@ pub(super) fn next(finish: &Finish, numbers: Numbers, vertex: u32) -> Next {
     }
 }
 
-/// Follows an eye path through sharp lobes to its first dull vertex, adding up what glows on the way.
+/// Follows an eye path through sharp lobes to its first dull vertex, telling of what glows on the way: which emitter, and
+/// what of its light the eye sees [cd/m²].
 pub(super) fn follow(
     world: &World,
     mut ray: Ray,
     first: Option<Hit>,
     numbers: Numbers,
-    emission: &mut Rgb,
+    mut gleam: impl FnMut(u32, Rgb),
     rays: &mut Rays,
 ) -> Option<Ended> {
     let mut throughput = Rgb::WHITE;
@@ -72,15 +73,17 @@ pub(super) fn follow(
         let t_max = hit.map_or(f32::INFINITY, |h| h.t);
         world.glows(ray.origin, ray.direction, t_max, |glow| {
             let clear = last.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
-            *emission += throughput * clear * glow.radiance * balance(pdf, glow.pdf);
+            gleam(glow.emitter, throughput * clear * glow.radiance * balance(pdf, glow.pdf));
         });
         let at = hit?;
         let surface = world.surface(ray.direction, &at);
         throughput *= surface.clear_from(ray.origin, last.as_ref());
-        if !surface.emission().is_black() {
+        if !surface.emission().is_black()
+            && let Some(emitter) = world.emitter_of(&surface)
+        {
             let weight =
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
-            *emission += throughput * surface.emission() * weight;
+            gleam(emitter, throughput * surface.emission() * weight);
         }
         match next(&surface.finish, numbers, vertex) {
             Next::Lost => return None,
@@ -89,7 +92,9 @@ pub(super) fn follow(
             }
             Next::GoesOn(weight) => throughput *= weight,
         }
-        *emission += throughput * highlight(world, &surface, numbers, vertex, rays);
+        highlight(world, &surface, numbers, vertex, rays, |emitter, light| {
+            gleam(emitter, throughput * light)
+        });
         let [u, v, _, lobe] = numbers.four(ledger::direction(vertex));
         let scatter = surface.sample(Class::Sharp, [u, v], lobe)?;
         throughput *= scatter.weight;
@@ -110,23 +115,30 @@ pub(super) fn follow(
 }
 
 /// Lights reflected by polish that is no delta lobe, by next-event estimation.
-fn highlight(world: &World, surface: &Surface<'_>, numbers: Numbers, vertex: u32, rays: &mut Rays) -> Rgb {
+fn highlight(
+    world: &World,
+    surface: &Surface<'_>,
+    numbers: Numbers,
+    vertex: u32,
+    rays: &mut Rays,
+    mut gleam: impl FnMut(u32, Rgb),
+) {
     let [u, v, choice, _] = numbers.four(ledger::light_point(vertex));
-    let Some((emitter, share)) = world.choose_emitter(choice) else { return Rgb::BLACK };
-    let Some(arrival) = world.emitters()[emitter as usize].toward(surface.position, [u, v]) else {
-        return Rgb::BLACK;
-    };
-    let value = surface.eval(Class::Sharp, surface.wo, arrival.wi) * surface.cosine(arrival.wi);
-    if value.is_black() {
-        return Rgb::BLACK;
+    for (emitter, share) in world.choose_emitters(choice) {
+        let Some(arrival) = world.emitters()[emitter as usize].toward(surface.position, [u, v]) else {
+            continue;
+        };
+        let value = surface.eval(Class::Sharp, surface.wo, arrival.wi) * surface.cosine(arrival.wi);
+        if value.is_black() {
+            continue;
+        }
+        rays.eye += 1;
+        if world.unblocked(surface.spawn(arrival.wi), &arrival) {
+            let weight = balance(share * arrival.pdf, surface.pdf(Class::Sharp, arrival.wi));
+            let clear = surface.clear_to(arrival.wi, arrival.distance(surface.position), None);
+            gleam(emitter, value * clear * arrival.weight * (weight / share));
+        }
     }
-    rays.eye += 1;
-    if !world.unblocked(surface.spawn(arrival.wi), &arrival) {
-        return Rgb::BLACK;
-    }
-    let weight = balance(share * arrival.pdf, surface.pdf(Class::Sharp, arrival.wi));
-    let clear = surface.clear_to(arrival.wi, arrival.distance(surface.position), None);
-    value * clear * arrival.weight * (weight / share)
 }
 
 /// The balance heuristic [Veach 1997, eq. 9.12]; a technique of infinite density (a delta) takes all.

@@ -8,7 +8,7 @@ mod packet;
 
 pub use crate::geometry::LANES;
 pub(crate) use follow::balance;
-pub use packet::{First, Packet, Visible};
+pub use packet::{First, Gleam, Packet, Visible};
 
 use crate::scene::View;
 use crate::sequence::{self, sobol};

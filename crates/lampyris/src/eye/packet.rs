@@ -24,6 +24,17 @@ pub struct Visible<'w> {
     pub throughput: Rgb,
 }
 
+/// Something that glows where an eye path comes by.
+#[derive(Clone, Copy, Debug)]
+pub struct Gleam {
+    /// Whose path.
+    pub lane: usize,
+    /// Which emitter.
+    pub emitter: u32,
+    /// What of its light reaches the eye [cd/m²].
+    pub radiance: Rgb,
+}
+
 /// What the auxiliary planes want to know.
 #[derive(Clone, Copy, Debug)]
 pub struct First {
@@ -61,8 +72,8 @@ pub struct Packet<'w> {
     pub reflectance: [Rgb; LANES],
     /// What each vertex' radiance is multiplied by on its way to the eye.
     pub throughput: [Rgb; LANES],
-    /// What glowed along the path [cd/m²].
-    pub emission: [Rgb; LANES],
+    /// What glowed along the paths.
+    pub gleams: Vec<Gleam>,
     /// The random numbers of each lane.
     pub numbers: [Numbers; LANES],
     ends: Ends,
@@ -96,7 +107,7 @@ impl<'w> Packet<'w> {
             geometric: [[0.0; LANES]; 3],
             reflectance: [Rgb::BLACK; LANES],
             throughput: [Rgb::WHITE; LANES],
-            emission: [Rgb::BLACK; LANES],
+            gleams: Vec::new(),
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
             ends: Ends::Nowhere,
         }
@@ -153,7 +164,7 @@ impl<'w> Packet<'w> {
     /// Forgets the paths of an earlier pass and draws new numbers.
     pub(super) fn start(&mut self, eye: &Eye, sampling: &Sampling) {
         (self.live, self.lambertian, self.opaque) = (0, 0, 0);
-        self.emission = [Rgb::BLACK; LANES];
+        self.gleams.clear();
         self.throughput = [Rgb::WHITE; LANES];
         let [x, y] = &self.place;
         for (k, numbers) in self.numbers.iter_mut().enumerate() {
@@ -207,7 +218,12 @@ impl<'w> Packet<'w> {
         for k in lanes(winding) {
             let ray = Ray::new(view.eye(), lane(&directions, k));
             let first = hits.get(k);
-            let ended = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays);
+            let gleam = |emitter, radiance: Rgb| {
+                if !radiance.is_black() {
+                    self.gleams.push(Gleam { lane: k, emitter, radiance });
+                }
+            };
+            let ended = follow(world, ray, first, self.numbers[k], gleam, rays);
             if let Some(Ended { direction, hit, throughput }) = ended {
                 self.end_on(k, &world.surface(direction, &hit));
                 self.throughput[k] = throughput;

@@ -20,63 +20,100 @@ use crate::eye::{Eye, LANES, Sampling};
 use crate::geometry::{Kernel, Wide};
 use crate::world::World;
 use rayon::prelude::*;
-use seen::{ALIKE, EMISSION, LIT, NORMAL, POSITION, REST, SLACK, TINT, load};
+use seen::{ALIKE, MARGIN, NORMAL, POSITION, SLACK, TINT, emission, lit, load, rest};
+use std::ops::Range;
 
-/// Adds what a batch shows to `shown`, row by row of the picture: the light of `seen` filtered over boxes of n × m, with
-/// further eye rays where surfaces meet.
-///
-/// Returns the eye rays it took.
-pub fn show(
-    world: &World,
-    eye: &Eye,
-    sampling: &Sampling,
-    seen: &Seen,
-    interleave: [u32; 2],
-    shown: &mut [Rgb],
-) -> u64 {
-    let smooth = Smooth::new(world.tracer().kernel(), seen, interleave);
-    let width = seen.width as usize;
-    let rows = shown.par_chunks_mut(width).enumerate();
-    rows.map(|(y, row)| {
-        for (x, pixel) in row.iter_mut().enumerate() {
-            *pixel += smooth.shown(seen, seen.index(x as u32, y as u32));
-        }
-        edges::refine(world, eye, sampling, seen, &smooth, y as u32, row)
-    })
-    .sum()
+/// What is the same for a whole batch.
+pub struct Filter<'a> {
+    /// The scene.
+    pub world: &'a World,
+    /// What looks.
+    pub eye: &'a Eye,
+    /// The batch's sample of each pixel.
+    pub sampling: Sampling,
+    /// n × m.
+    pub interleave: [u32; 2],
+    /// Of each emitter the layer that it belongs to, if what glows along eye paths is asked for.
+    pub layer_of: &'a (dyn Fn(u32) -> Option<usize> + Sync),
 }
 
-/// Irradiance over π of every pixel, as its neighbours agree on it.
+impl Filter<'_> {
+    /// Adds what a batch shows to the planes of its layers, row by row of the picture: the light of the next `band` of rows,
+    /// filtered over boxes of n × m, with further eye rays where surfaces meet. The last rows wait for the next band.
+    ///
+    /// Returns the eye rays it took.
+    pub fn show(
+        &self,
+        seen: &mut Seen,
+        band: Range<u32>,
+        glimpses: &[&Glimpse],
+        shown: &mut [&mut Vec<Rgb>],
+    ) -> u64 {
+        let rows = seen.append(band, glimpses);
+        let seen = &*seen;
+        let smooth = Smooth::new(self.world.tracer().kernel(), seen, rows.clone(), self.interleave);
+        let width = seen.width as usize;
+        let mut planes: Vec<_> = shown
+            .iter_mut()
+            .map(|plane| plane[rows.start as usize * width..rows.end as usize * width].chunks_mut(width))
+            .collect();
+        let by_row: Vec<(u32, Vec<&mut [Rgb]>)> =
+            rows.map(|y| (y, planes.iter_mut().filter_map(Iterator::next).collect())).collect();
+        let done = by_row.into_par_iter().map(|(y, mut row)| {
+            for (layer, row) in row.iter_mut().enumerate() {
+                (0..).zip(row.iter_mut()).for_each(|(x, pixel)| *pixel += smooth.shown(seen, layer, x, y));
+            }
+            edges::refine(self, seen, &smooth, y, &mut row)
+        });
+        done.sum()
+    }
+}
+
+/// Irradiance over π of the pixels of some rows, as their neighbours agree on it.
 struct Smooth {
-    /// Laid out as [`Seen`]; 0 where nothing is reflected.
-    light: [Vec<f32>; 3],
-    /// 1 where surfaces meet, row by row of the picture with margins.
-    edge: Vec<f32>,
+    /// The first of the rows.
+    top: u32,
+    layers: usize,
+    stride: usize,
+    /// Row by row: a row of each channel of each layer, 0 where nothing is reflected, and at last one that is 1 where
+    /// surfaces meet. Rows have the margins of [`Seen`].
+    values: Vec<f32>,
 }
 
 impl Smooth {
-    fn new(kernel: Kernel, seen: &Seen, interleave: [u32; 2]) -> Smooth {
-        let mut light = [0, 1, 2].map(|_| vec![0.0; seen.len()]);
-        let mut edge = vec![0.0; seen.len()];
-        let [red, green, blue] = &mut light;
-        let rows = |plane| seen.rows_mut(plane);
+    /// Of `rows` of the picture, and of the rows above and below.
+    fn new(kernel: Kernel, seen: &Seen, rows: Range<u32>, interleave: [u32; 2]) -> Smooth {
+        let (layers, stride) = (seen.layers(), seen.stride());
+        let (top, end) = (rows.start.saturating_sub(1), (rows.end + 1).min(seen.height));
+        let row = (3 * layers + 1) * stride;
+        let mut values = vec![0.0; if rows.is_empty() { 0 } else { (end - top) as usize * row }];
         let reach = interleave.map(|n| n as i32 / 2);
-        rows(red).zip(rows(green)).zip(rows(blue)).zip(rows(&mut edge)).enumerate().for_each(
-            |(y, (((red, green), blue), edge))| {
-                kernel.run(Row { seen, y: y as u32, reach, light: [red, green, blue], edge });
-            },
-        );
-        Smooth { light, edge }
+        values.par_chunks_mut(row).zip(top..end).for_each(|(values, y)| {
+            kernel.run(Row { seen, y, reach, layers, values });
+        });
+        Smooth { top, layers, stride, values }
     }
 
-    /// What a pixel shows by its one sample.
-    fn shown(&self, seen: &Seen, at: usize) -> Rgb {
+    /// What a pixel shows of a layer by its one sample.
+    fn shown(&self, seen: &Seen, layer: usize, x: u32, y: u32) -> Rgb {
+        let at = seen.index(x, y);
         let of = |first: usize| seen.color(first, at);
-        of(EMISSION) + of(REST) + of(TINT) * self.at(at)
+        of(emission(layer)) + of(rest(layer)) + of(TINT) * self.at(layer, x, y)
     }
 
-    fn at(&self, at: usize) -> Rgb {
-        Rgb::new(self.light[0][at], self.light[1][at], self.light[2][at])
+    fn at(&self, layer: usize, x: u32, y: u32) -> Rgb {
+        let channel = |c: usize| self.values[self.row(3 * layer + c, y) + x as usize];
+        Rgb::new(channel(0), channel(1), channel(2))
+    }
+
+    /// Whether surfaces meet at a pixel.
+    fn edge(&self, x: u32, y: u32) -> bool {
+        self.values[self.row(3 * self.layers, y) + x as usize] > 0.0
+    }
+
+    /// Where the first pixel of a row lies, of one of the planes.
+    fn row(&self, plane: usize, y: u32) -> usize {
+        ((y - self.top) as usize * (3 * self.layers + 1) + plane) * self.stride + MARGIN
     }
 }
 
@@ -86,8 +123,9 @@ struct Row<'a> {
     y: u32,
     /// Neighbours to each side that may count, in x and y.
     reach: [i32; 2],
-    light: [&'a mut [f32]; 3],
-    edge: &'a mut [f32],
+    layers: usize,
+    /// Where it goes, as in [`Smooth`].
+    values: &'a mut [f32],
 }
 
 impl Wide for Row<'_> {
@@ -95,62 +133,105 @@ impl Wide for Row<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Row { seen, y, reach, light: [red, green, blue], edge } = self;
-        let start = seen.index(0, y);
+        let Row { seen, y, reach, layers, values } = self;
+        let (start, stride) = (seen.index(0, y), seen.stride());
+        let mut near = Near::none();
         for x in (0..seen.width as usize).step_by(LANES) {
-            let (light, uneven) = chunk(seen, start + x, reach);
-            let at = seen.index(0, 0) % seen.stride() + x;
-            red[at..at + LANES].copy_from_slice(&light[0]);
-            green[at..at + LANES].copy_from_slice(&light[1]);
-            blue[at..at + LANES].copy_from_slice(&light[2]);
-            edge[at..at + LANES].copy_from_slice(&uneven);
+            let to = MARGIN + x;
+            let mut plane = |number: usize, found: &[f32; LANES]| {
+                values[number * stride + to..][..LANES].copy_from_slice(found);
+            };
+            near.find(seen, start + x, reach);
+            for layer in 0..layers {
+                for (channel, tint) in near.tint.iter().enumerate() {
+                    plane(3 * layer + channel, &near.light(seen, lit(layer) + channel, tint));
+                }
+            }
+            plane(3 * layers, &near.edge);
         }
     }
 }
 
-/// Sixteen pixels from `at` on: their light, and 1 for those beside another surface.
-#[inline(always)]
-fn chunk(seen: &Seen, at: usize, reach: [i32; 2]) -> ([[f32; LANES]; 3], [f32; LANES]) {
-    let own = |plane: usize| load(&seen.planes[plane], at);
-    let (px, py, pz) = (own(POSITION), own(POSITION + 1), own(POSITION + 2));
-    let (nx, ny, nz) = (own(NORMAL), own(NORMAL + 1), own(NORMAL + 2));
-    let (slack, alike) = (own(SLACK), own(ALIKE));
-    let mut light = [[0.0; LANES]; 3];
-    let mut tint = [[0.0; LANES]; 3];
-    let mut edge = [0.0; LANES];
-    let [wide, high] = reach;
-    for dy in -high..=high {
-        for dx in -wide..=wide {
-            let there = at.wrapping_add_signed(dy as isize * seen.stride() as isize + dx as isize);
-            let of = |plane: usize| load(&seen.planes[plane], there);
-            let (qx, qy, qz) = (of(POSITION), of(POSITION + 1), of(POSITION + 2));
-            let (mx, my, mz) = (of(NORMAL), of(NORMAL + 1), of(NORMAL + 2));
-            let other = of(ALIKE);
-            let far = dx.abs().max(dy.abs()) as f32;
-            let mut counts = [0.0; LANES];
-            for k in 0..LANES {
-                let facing = nx[k] * mx[k] + ny[k] * my[k] + nz[k] * mz[k];
-                let off = (qx[k] - px[k]) * nx[k] + (qy[k] - py[k]) * ny[k] + (qz[k] - pz[k]) * nz[k];
-                let same = facing > FACING && off.abs() <= slack[k] * far;
-                counts[k] = if same { 1.0 } else { 0.0 };
-                let beside = far <= 1.0 && !(same && other[k] == alike[k]);
-                edge[k] = if beside { 1.0 } else { edge[k] };
-            }
-            for channel in 0..3 {
-                let (lit, reflects) = (of(LIT + channel), of(TINT + channel));
+/// Most pixels that a box may hold.
+const MOST: usize = 81;
+
+/// The neighbours of sixteen pixels.
+struct Near {
+    /// Where the neighbours of the first lie, as many as the box holds.
+    at: [usize; MOST],
+    count: usize,
+    /// 1 where a pixel shares light with that neighbour, else 0.
+    shares: [[f32; LANES]; MOST],
+    /// What all of those reflect, by channel.
+    tint: [[f32; LANES]; 3],
+    /// 1 beside another surface.
+    edge: [f32; LANES],
+}
+
+impl Near {
+    /// Of no pixels yet.
+    fn none() -> Near {
+        Near {
+            at: [0; MOST],
+            count: 0,
+            shares: [[0.0; LANES]; MOST],
+            tint: [[0.0; LANES]; 3],
+            edge: [0.0; LANES],
+        }
+    }
+
+    /// Those of sixteen pixels from `at` on.
+    #[inline(always)]
+    fn find(&mut self, seen: &Seen, at: usize, [wide, high]: [i32; 2]) {
+        let own = |plane: usize| load(&seen.planes[plane], at);
+        let (px, py, pz) = (own(POSITION), own(POSITION + 1), own(POSITION + 2));
+        let (nx, ny, nz) = (own(NORMAL), own(NORMAL + 1), own(NORMAL + 2));
+        let (slack, alike) = (own(SLACK), own(ALIKE));
+        (self.count, self.tint, self.edge) = (0, [[0.0; LANES]; 3], [0.0; LANES]);
+        for dy in -high..=high {
+            for dx in -wide..=wide {
+                let there = at.wrapping_add_signed(dy as isize * seen.stride() as isize + dx as isize);
+                let of = |plane: usize| load(&seen.planes[plane], there);
+                let (qx, qy, qz) = (of(POSITION), of(POSITION + 1), of(POSITION + 2));
+                let (mx, my, mz) = (of(NORMAL), of(NORMAL + 1), of(NORMAL + 2));
+                let other = of(ALIKE);
+                let far = dx.abs().max(dy.abs()) as f32;
+                let mut counts = [0.0; LANES];
                 for k in 0..LANES {
-                    light[channel][k] += counts[k] * lit[k];
-                    tint[channel][k] += counts[k] * reflects[k];
+                    let facing = nx[k] * mx[k] + ny[k] * my[k] + nz[k] * mz[k];
+                    let off = (qx[k] - px[k]) * nx[k] + (qy[k] - py[k]) * ny[k] + (qz[k] - pz[k]) * nz[k];
+                    let same = facing > FACING && off.abs() <= slack[k] * far;
+                    counts[k] = if same { 1.0 } else { 0.0 };
+                    let beside = far <= 1.0 && !(same && other[k] == alike[k]);
+                    self.edge[k] = if beside { 1.0 } else { self.edge[k] };
                 }
+                for (channel, tint) in self.tint.iter_mut().enumerate() {
+                    let reflects = of(TINT + channel);
+                    for k in 0..LANES {
+                        tint[k] += counts[k] * reflects[k];
+                    }
+                }
+                (self.at[self.count], self.shares[self.count]) = (there, counts);
+                self.count += 1;
             }
         }
     }
-    for (light, tint) in light.iter_mut().zip(&tint) {
+
+    /// The light of one plane that they share, over what they reflect.
+    #[inline(always)]
+    fn light(&self, seen: &Seen, plane: usize, tint: &[f32; LANES]) -> [f32; LANES] {
+        let mut light = [0.0; LANES];
+        for (there, shares) in self.at[..self.count].iter().zip(&self.shares) {
+            let lit = load(&seen.planes[plane], *there);
+            for k in 0..LANES {
+                light[k] += shares[k] * lit[k];
+            }
+        }
         for k in 0..LANES {
             light[k] = if tint[k] > 0.0 { light[k] / tint[k] } else { 0.0 };
         }
+        light
     }
-    (light, edge)
 }
 
 /// Least cosine between the normals of neighbours that share light.

@@ -1,41 +1,63 @@
 //! What one batch saw, pixel by pixel: light that varies slowly over a surface, what multiplies it, and where it fell.
+//!
+//! The rows of a picture come in bands, from the top. A band is stored behind the last rows of the one before, and a row
+//! can be filtered once those that its box reaches are there.
 
 use crate::color::Rgb;
 use crate::eye::{LANES, Rect};
 use glam::Vec3;
 use rayon::prelude::*;
+use std::ops::Range;
 
-/// Radiance that neighbours may share, by channel [cd/m²].
-pub(super) const LIT: usize = 0;
 /// What the first dull vertex reflects of irradiance over π, times the eye path's throughput, by channel.
-pub(super) const TINT: usize = 3;
-/// Radiance that neighbours may not share, by channel [cd/m²].
-pub(super) const REST: usize = 6;
-/// What glowed along the eye path, by channel [cd/m²].
-pub(super) const EMISSION: usize = 9;
+pub(super) const TINT: usize = 0;
 /// Where the vertex is, x y z [m].
-pub(super) const POSITION: usize = 12;
+pub(super) const POSITION: usize = 3;
 /// Its shading normal, x y z; zero where there is no vertex.
-pub(super) const NORMAL: usize = 15;
+pub(super) const NORMAL: usize = 6;
 /// How far from its tangent plane a vertex of the next pixel may lie [m].
-pub(super) const SLACK: usize = 18;
+pub(super) const SLACK: usize = 9;
 /// A number that tells surfaces of one instance and material from others.
-pub(super) const ALIKE: usize = 19;
-/// Numbers of a pixel.
-pub(super) const COUNT: usize = 20;
+pub(super) const ALIKE: usize = 10;
+/// Where the light of the first layer begins, then that of the next.
+const LIGHT: usize = 11;
+/// Numbers of a layer's light: what neighbours may share, what they may not, what glowed along the eye path, by channel
+/// [cd/m²].
+const OF_LAYER: usize = 9;
 
 /// Beside a picture: as many pixels as are worked on at once.
-const MARGIN: usize = LANES;
-/// Above and below: the largest filter reaches 4 rows.
-const ROWS: usize = 4;
+pub(super) const MARGIN: usize = LANES;
+/// The largest filter reaches 4 rows up and down; at edges the filtered light of the next row is asked for too.
+pub(super) const REACH: u32 = 5;
+/// Rows kept of what came before.
+const KEPT: u32 = 2 * REACH;
 
-/// The planes of a picture, each number of a pixel in a plane of its own, with margins in which nothing is.
+/// What neighbours may share of a layer's light.
+pub(super) fn lit(layer: usize) -> usize {
+    LIGHT + OF_LAYER * layer
+}
+
+/// What they may not share.
+pub(super) fn rest(layer: usize) -> usize {
+    lit(layer) + 3
+}
+
+/// What glowed along the eye path.
+pub(super) fn emission(layer: usize) -> usize {
+    lit(layer) + 6
+}
+
+/// The planes of a band, each number of a pixel in a plane of its own, with margins in which nothing is.
 #[derive(Clone, Debug, Default)]
 pub struct Seen {
     /// Pixels in a row.
     pub(super) width: u32,
-    /// Rows.
+    /// Rows of the picture.
     pub(super) height: u32,
+    /// The rows of the picture that the band holds, without those kept.
+    band: Range<u32>,
+    /// Rows that are done with.
+    done: u32,
     pub(super) planes: Vec<Vec<f32>>,
 }
 
@@ -48,9 +70,9 @@ pub struct Glimpse {
 }
 
 impl Glimpse {
-    /// Nothing, in a rectangle.
-    pub fn new(rect: Rect) -> Glimpse {
-        Glimpse { rect, values: vec![0.0; COUNT * (rect.width * rect.height) as usize] }
+    /// Nothing, in a rectangle, by the light of so many layers.
+    pub fn new(rect: Rect, layers: usize) -> Glimpse {
+        Glimpse { rect, values: vec![0.0; lit(layers) * (rect.width * rect.height) as usize] }
     }
 
     /// Notes the vertex of pixel `k`: where it is, its normal, what tells it from other surfaces, what it multiplies light
@@ -63,11 +85,16 @@ impl Glimpse {
         self.set(SLACK, k, [slack, (alike >> 8) as f32]);
     }
 
-    /// Notes the light of pixel `k`: what neighbours may share, what they may not, and what glowed on the way.
-    pub fn light(&mut self, k: usize, lit: Rgb, rest: Rgb, emission: Rgb) {
-        self.set(LIT, k, lit.to_array());
-        self.set(REST, k, rest.to_array());
-        self.set(EMISSION, k, emission.to_array());
+    /// Notes a layer's light at pixel `k`: what neighbours may share, and what they may not.
+    pub fn light(&mut self, layer: usize, k: usize, shared: Rgb, own: Rgb) {
+        self.set(lit(layer), k, shared.to_array());
+        self.set(rest(layer), k, own.to_array());
+    }
+
+    /// Notes that something of a layer glowed on the way to pixel `k`.
+    pub fn gleam(&mut self, layer: usize, k: usize, radiance: Rgb) {
+        let pixels = (self.rect.width * self.rect.height) as usize;
+        (emission(layer)..).zip(radiance.to_array()).for_each(|(at, v)| self.values[at * pixels + k] += v);
     }
 
     /// Consecutive planes at a pixel.
@@ -83,26 +110,50 @@ impl Glimpse {
 }
 
 impl Seen {
-    /// Nothing, in a picture of that size.
-    pub fn new(width: u32, height: u32) -> Seen {
-        let mut seen = Seen { width, height, planes: Vec::new() };
-        let length = seen.len();
-        seen.planes = vec![vec![0.0; length]; COUNT];
-        seen
+    /// Nothing as yet of a picture of that size, by the light of so many layers.
+    pub fn new((width, height): (u32, u32), layers: usize) -> Seen {
+        Seen { width, height, band: 0..0, done: 0, planes: vec![Vec::new(); lit(layers)] }
     }
 
-    /// Puts pieces of the picture together.
-    pub fn assemble(&mut self, pieces: &[&Glimpse]) {
-        let (stride, first) = (self.stride(), self.index(0, 0));
+    /// Layers of light.
+    pub(super) fn layers(&self) -> usize {
+        (self.planes.len() - LIGHT) / OF_LAYER
+    }
+
+    /// Puts pieces of the next rows of the picture together, of the first after the last. Returns which rows can be
+    /// filtered now.
+    pub(super) fn append(&mut self, band: Range<u32>, pieces: &[&Glimpse]) -> Range<u32> {
+        let stride = self.stride();
+        let first = band.start == 0;
+        let held = (self.band.end - self.band.start) as usize * stride;
+        let kept = KEPT as usize * stride;
+        let last = band.end == self.height;
+        if first {
+            self.done = 0;
+        }
+        self.band = band;
+        let (length, top) = (self.len(), self.band.start);
+        let corner = self.index(0, top);
         self.planes.par_iter_mut().enumerate().for_each(|(number, plane)| {
+            if first {
+                plane.clear();
+            } else {
+                plane.copy_within(held..held + kept, 0);
+            }
+            plane.resize(length, 0.0);
             for piece in pieces {
                 let rect = piece.rect;
                 for (row, values) in piece.plane(number).chunks(rect.width as usize).enumerate() {
-                    let at = first + (rect.y as usize + row) * stride + rect.x as usize;
+                    let at = corner + ((rect.y - top) as usize + row) * stride + rect.x as usize;
                     plane[at..at + values.len()].copy_from_slice(values);
                 }
             }
+            if last {
+                plane[length - REACH as usize * stride..].fill(0.0);
+            }
         });
+        let end = if last { self.height } else { self.band.end.saturating_sub(REACH).max(self.done) };
+        std::mem::replace(&mut self.done, end)..end
     }
 
     /// Three planes at a place.
@@ -115,9 +166,9 @@ impl Seen {
         Vec3::new(self.planes[first][at], self.planes[first + 1][at], self.planes[first + 2][at])
     }
 
-    /// Where in a plane a pixel lies.
+    /// Where in a plane a pixel of the band lies, or one of the rows kept or missing around it.
     pub(super) fn index(&self, x: u32, y: u32) -> usize {
-        (y as usize + ROWS) * self.stride() + MARGIN + x as usize
+        (y + KEPT - self.band.start) as usize * self.stride() + MARGIN + x as usize
     }
 
     /// From a pixel to the one below it.
@@ -126,18 +177,8 @@ impl Seen {
     }
 
     /// Numbers in a plane.
-    pub(super) fn len(&self) -> usize {
-        (self.height as usize + 2 * ROWS) * self.stride()
-    }
-
-    /// The rows of the picture in a plane of this layout, margins beside them included.
-    pub(super) fn rows_mut<'p>(
-        &self,
-        plane: &'p mut [f32],
-    ) -> impl IndexedParallelIterator<Item = &'p mut [f32]> {
-        let stride = self.stride();
-        let end = (self.height as usize + ROWS) * stride;
-        plane[ROWS * stride..end].par_chunks_mut(stride)
+    fn len(&self) -> usize {
+        (self.band.end - self.band.start + KEPT + REACH) as usize * self.stride()
     }
 }
 

@@ -14,25 +14,26 @@ const SLACK: f32 = 0.01;
 /// What is seen at a pixel: vertex, normal, surface, tint, light.
 type Pixel = (Vec3, Vec3, u32, Rgb, Rgb);
 
-/// A picture whose pixels `at` says, put together from two pieces.
+/// A picture whose pixels `at` says, put together from two pieces, by the light of two layers: one has half as much.
 fn seen(at: impl Fn(u32, u32) -> Option<Pixel>) -> Seen {
     let pieces = [
         Rect { x: 0, y: 0, width: 20, height: HEIGHT },
         Rect { x: 20, y: 0, width: WIDTH - 20, height: HEIGHT },
     ];
     let glimpses = pieces.map(|rect| {
-        let mut glimpse = Glimpse::new(rect);
+        let mut glimpse = Glimpse::new(rect, 2);
         for k in 0..rect.width * rect.height {
             let (x, y) = rect.pixel(k);
             if let Some((position, normal, alike, tint, light)) = at(x, y) {
                 glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
-                glimpse.light(k as usize, tint * light, Rgb::BLACK, Rgb::BLACK);
+                glimpse.light(0, k as usize, tint * light, Rgb::BLACK);
+                glimpse.light(1, k as usize, tint * light * 0.5, Rgb::BLACK);
             }
         }
         glimpse
     });
-    let mut seen = Seen::new(WIDTH, HEIGHT);
-    seen.assemble(&[&glimpses[0], &glimpses[1]]);
+    let mut seen = Seen::new((WIDTH, HEIGHT), 2);
+    assert_eq!(seen.append(0..HEIGHT, &[&glimpses[0], &glimpses[1]]), 0..HEIGHT);
     seen
 }
 
@@ -56,18 +57,18 @@ fn assert_smooth(
     expected: impl Fn(u32, u32) -> Rgb,
     edge: impl Fn(u32, u32) -> bool,
 ) {
-    let plain = Smooth::new(Kernel::Portable, seen, interleave);
+    let plain = Smooth::new(Kernel::Portable, seen, 0..HEIGHT, interleave);
     for kernel in [Kernel::Avx2, Kernel::Avx512] {
-        let other = Smooth::new(kernel, seen, interleave);
-        assert_eq!(other.light, plain.light, "{kernel:?}");
-        assert_eq!(other.edge, plain.edge, "{kernel:?}");
+        let other = Smooth::new(kernel, seen, 0..HEIGHT, interleave);
+        assert_eq!(other.values, plain.values, "{kernel:?}");
     }
     for y in 0..HEIGHT {
         for x in 0..WIDTH {
-            let (found, expected) = (plain.at(seen.index(x, y)), expected(x, y));
+            let (found, expected) = (plain.at(0, x, y), expected(x, y));
             let off = (found - expected).map(f32::abs).max_channel();
             assert!(off < 1e-5, "({x}, {y}): {found:?} for {expected:?}");
-            assert_eq!(plain.edge[seen.index(x, y)] > 0.0, edge(x, y), "({x}, {y})");
+            assert_eq!(plain.at(1, x, y), found * 0.5, "({x}, {y})");
+            assert_eq!(plain.edge(x, y), edge(x, y), "({x}, {y})");
         }
     }
 }
@@ -157,4 +158,46 @@ fn voids_and_seams() {
     });
     let expected = |x: u32, _: u32| if x < 30 { Rgb::grey(2.0) } else { Rgb::BLACK };
     assert_smooth(&seen, [3, 3], expected, |x, y| border(x, y) || x >= 29 || y == 9 || y == 10);
+}
+
+/// Rows come in bands, and what is found does not depend on how they are cut.
+#[test]
+fn bands_leave_no_trace() {
+    let bumpy = |x: u32, y: u32| {
+        let lift = Vec3::Y * if (x / 5 + y / 3).is_multiple_of(2) { 0.0 } else { 0.05 };
+        Some((floor(x, y) + lift, Vec3::Y, 1, tint(x, y), light(x, y)))
+    };
+    let whole = seen(bumpy);
+    let expected = Smooth::new(Kernel::Portable, &whole, 0..HEIGHT, [5, 7]);
+    for cuts in [vec![1, 2, 3, 4, 5, 6, 7, 20, 21], vec![10, 21], vec![3, 19, 21], vec![21]] {
+        let mut parts = Seen::new((WIDTH, HEIGHT), 2);
+        // A second picture follows the first in the same planes.
+        for _ in 0..2 {
+            let (mut start, mut done) = (0, 0);
+            for end in &cuts {
+                let rect = Rect { x: 0, y: start, width: WIDTH, height: end - start };
+                let mut glimpse = Glimpse::new(rect, 2);
+                for k in 0..rect.width * rect.height {
+                    let (x, y) = rect.pixel(k);
+                    let (position, normal, alike, tint, light) = bumpy(x, y).expect("a surface");
+                    glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
+                    glimpse.light(0, k as usize, tint * light, Rgb::BLACK);
+                    glimpse.light(1, k as usize, tint * light * 0.5, Rgb::BLACK);
+                }
+                let rows = parts.append(start..*end, &[&glimpse]);
+                assert_eq!(rows.start, done);
+                let found = Smooth::new(Kernel::Portable, &parts, rows.clone(), [5, 7]);
+                for y in
+                    rows.start.saturating_sub(1)..if rows.is_empty() { 0 } else { (rows.end + 1).min(HEIGHT) }
+                {
+                    for x in 0..WIDTH {
+                        let of = |s: &Smooth| (s.at(0, x, y), s.at(1, x, y), s.edge(x, y));
+                        assert_eq!(of(&found), of(&expected), "({x}, {y}) of {cuts:?}");
+                    }
+                }
+                (start, done) = (*end, rows.end);
+            }
+            assert_eq!(done, HEIGHT);
+        }
+    }
 }

@@ -8,6 +8,7 @@ use super::{Integrator, Pass, caustic_path};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::{lane, lanes};
+use crate::scene::Group;
 use crate::settings::Rays;
 use crate::world::Surface;
 use std::f32::consts::FRAC_1_PI;
@@ -32,30 +33,50 @@ impl Integrator for Caustic {
         false
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         let Some(photons) = pass.photons else {
             return caustic_path::tile(pass, tile, out, rays);
         };
+        let mut found = vec![Rgb::BLACK; out.len()];
         for p in &tile.packets {
             let plain = p.live & p.lambertian;
+            let mut add = |k: usize, found: &[Rgb], factor: Rgb| {
+                let at = p.pixels[k] as usize;
+                out.iter_mut().zip(found).for_each(|(out, found)| out[at] += factor * *found);
+            };
             for k in lanes(plain) {
-                let e = photons.irradiance(lane(&p.position, k), lane(&p.geometric, k));
-                out[p.pixels[k] as usize] += p.throughput[k] * p.reflectance[k] * e * FRAC_1_PI;
+                found.fill(Rgb::BLACK);
+                photons.irradiance(lane(&p.position, k), lane(&p.geometric, k), &mut found);
+                add(k, &found, p.throughput[k] * p.reflectance[k] * FRAC_1_PI);
             }
             for k in lanes(p.live & !plain) {
                 if let Some(x) = p.visible(k) {
-                    out[p.pixels[k] as usize] += x.throughput * photons.radiance(&x.surface);
+                    found.fill(Rgb::BLACK);
+                    photons.radiance(&x.surface, &mut found);
+                    add(k, &found, x.throughput);
                 }
             }
         }
     }
 }
 
-/// Radiance that the dull lobes of `x`, a point of the scene, send on of light that comes over a sharp vertex, by paths
-/// that are not *mirror*'s: by photons where there are any, else by the oracle.
-pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
+/// Adds `throughput` times the radiance that the dull lobes of `x`, a point of the scene, send on of light that comes over
+/// a sharp vertex, by paths that are not *mirror*'s, group by group: by photons where there are any, else by the oracle.
+pub(super) fn at(
+    pass: &Pass<'_>,
+    x: &Surface<'_>,
+    numbers: Numbers,
+    throughput: Rgb,
+    out: &mut [Rgb],
+    rays: &mut u64,
+) {
     match pass.photons {
-        Some(photons) => photons.radiance(x),
-        None => caustic_path::at(pass.world, x, numbers, rays),
+        Some(photons) => {
+            let mut found = [Rgb::BLACK; Group::MOST];
+            let found = &mut found[..out.len()];
+            photons.radiance(x, found);
+            out.iter_mut().zip(found).for_each(|(out, found)| *out += throughput * *found);
+        }
+        None => caustic_path::at(pass, x, numbers, throughput, out, rays),
     }
 }

@@ -2,12 +2,12 @@
 //! (the part *mirror*): by the oracle restricted to these paths. Beside photons it is unbiased in every batch, and far
 //! noisier; caustics of point, spot and directional lights cannot be found this way and are missing.
 
-use super::path::{Scope, Start, trace};
+use super::path::{History, Scope, Start, trace};
 use super::{Costly, Integrator, Pass};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::settings::Rays;
-use crate::world::{Surface, World};
+use crate::world::Surface;
 
 /// Paths L (S|D)* S D S* E, less *mirror*'s.
 pub(super) struct CausticPath;
@@ -21,27 +21,47 @@ impl Integrator for CausticPath {
         "L (S|D)* S D S* E, less mirror, and less L_point S+ D S* E"
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         self::tile(pass, tile, out, rays);
     }
 }
 
 /// What every point of a tile receives.
-pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
     if !pass.world.has_sharp_surfaces() {
         return;
     }
     let costly = Costly { purpose: b's', phase: 2 };
-    costly.add(pass, tile.packets.iter(), out, |x, numbers| at(pass.world, x, numbers, &mut rays.path));
+    costly.add(pass, tile.packets.iter(), out, |x, numbers, found| {
+        at(pass, x, numbers, Rgb::WHITE, found, &mut rays.path);
+    });
 }
 
-/// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.
-pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
-    if !world.has_sharp_surfaces() {
-        return Rgb::BLACK;
+/// Adds `throughput` times the radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by
+/// paths that are not *mirror*'s, group by group.
+pub(super) fn at(
+    pass: &Pass<'_>,
+    x: &Surface<'_>,
+    numbers: Numbers,
+    throughput: Rgb,
+    out: &mut [Rgb],
+    rays: &mut u64,
+) {
+    if !pass.world.has_sharp_surfaces() {
+        return;
     }
     let mut traced = Rays::default();
-    let found = trace(world, Start::Surface(*x), Scope::Caustics, numbers, &mut traced);
+    trace(
+        pass.world,
+        Start::Surface(*x),
+        Scope::Caustics,
+        numbers,
+        &mut traced,
+        |emitter, history, light| {
+            if let (History::Caustic, Some(place)) = (history, pass.place_of(emitter)) {
+                out[place] += throughput * light;
+            }
+        },
+    );
     *rays += traced.path;
-    found.caustic
 }

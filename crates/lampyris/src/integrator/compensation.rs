@@ -16,7 +16,7 @@ use crate::world::Surface;
 const MAX_VERTICES: u32 = 64;
 
 /// Virtual lights that stand for all of them at the end of a short ray.
-const VPLS: u32 = 2;
+const VPLS: f32 = 2.0;
 
 /// Paths L (S|D)* D D S* E, beyond the clamp.
 pub(super) struct Compensation;
@@ -34,31 +34,32 @@ impl Integrator for Compensation {
         true
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         if pass.plan.bound == f32::INFINITY {
             return;
         }
         let costly = Costly { purpose: b'c', phase: 1 };
-        costly.add(pass, tile.packets.iter(), out, |x, numbers| {
-            beyond_clamp(pass, *x, Way::Straight, numbers, rays)
+        costly.add(pass, tile.packets.iter(), out, |x, numbers, found| {
+            beyond_clamp(pass, *x, Way::Straight, numbers, found, rays);
         });
     }
 }
 
-/// C(x, ω_o) with its recursion C(y) unrolled, continued by roulette; `way` is that of the first ray.
+/// Adds C(x, ω_o) with its recursion C(y) unrolled, continued by roulette, group by group; `way` is that of the first ray.
+/// All groups share the rays: where they go has nothing to do with light.
 pub(super) fn beyond_clamp<'w>(
     pass: &Pass<'w>,
     mut x: Surface<'w>,
     mut way: Way,
     numbers: Numbers,
+    out: &mut [Rgb],
     rays: &mut Rays,
-) -> Rgb {
+) {
     let (world, b) = (pass.world, pass.plan.bound);
     if b == f32::INFINITY {
-        return Rgb::BLACK;
+        return;
     }
     let reach = 1.0 / b.sqrt();
-    let mut sum = Rgb::BLACK;
     let mut throughput = Rgb::WHITE;
     for vertex in 0..MAX_VERTICES {
         let Some(s) = Short::new(world, &x, way, reach, numbers, vertex, &mut rays.compensation) else {
@@ -72,17 +73,15 @@ pub(super) fn beyond_clamp<'w>(
         throughput *= s.weight * s.clear_from(&y) * taken;
         // L_r(y): direct light, light over sharp vertices, clamped virtual lights, and what the clamp takes in turn.
         let branch = numbers.branch(vertex + 1);
-        let reflected = direct::at(pass, &y, branch, rays)
-            + mirror::at(pass, &y, branch.branch(b'm'.into()), rays)
-            + caustic::at(pass, &y, branch, &mut rays.compensation)
-            + gather::from_some_vpls(
-                pass,
-                &y,
-                VPLS,
-                numbers.one(ledger::light(vertex)),
-                &mut rays.compensation,
-            );
-        sum += throughput * reflected;
+        direct::at(pass, &y, branch, throughput, out, rays);
+        mirror::at(pass, &y, branch.branch(b'm'.into()), throughput, out, rays);
+        caustic::at(pass, &y, branch, throughput, out, &mut rays.compensation);
+        let u = numbers.one(ledger::light(vertex));
+        for (lights, out) in pass.zip(out) {
+            let (most, u) = (VPLS * lights.share, lights.turned(u));
+            let rays = &mut rays.compensation;
+            *out += throughput * gather::from_some_vpls(world, &y, lights, most, u, rays);
+        }
         let stay = throughput.max_channel().clamp(0.0, 1.0);
         if numbers.one(ledger::roulette(vertex)) >= stay {
             break;
@@ -90,5 +89,4 @@ pub(super) fn beyond_clamp<'w>(
         throughput *= 1.0 / stay;
         (x, way) = (y, Way::Either);
     }
-    sum
 }

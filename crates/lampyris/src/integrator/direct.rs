@@ -12,7 +12,7 @@ use crate::settings::Rays;
 use crate::world::Surface;
 
 /// Light points that stand for all of them where a single point is shaded.
-pub(super) const LIGHTS: usize = 2;
+pub(super) const LIGHTS: f32 = 2.0;
 
 /// Paths L D S* E.
 pub(super) struct Direct;
@@ -26,51 +26,68 @@ impl Integrator for Direct {
         "L D S* E"
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
-        gather::tile(pass, tile, pass.lights, out, &mut rays.shadow);
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
+        gather::tile_of_points(pass, tile, out, &mut rays.shadow);
         let reach = 1.0 / pass.plan.emitter_bound.sqrt();
         if reach == 0.0 {
             return;
         }
         let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
         let costly = Costly { purpose: b'd', phase: 0 };
-        costly.add(pass, near, out, |x, numbers| near_light(pass, x, Way::Straight, numbers, rays));
+        costly.add(pass, near, out, |x, numbers, found| {
+            near_light(pass, x, Way::Straight, numbers, Rgb::WHITE, found, rays);
+        });
     }
 }
 
-/// Radiance at one point by all direct light: the clear, scalar form.
-pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Rays) -> Rgb {
+/// Adds `throughput` times the radiance at one point by all direct light, group by group: the clear, scalar form.
+pub(super) fn at(
+    pass: &Pass<'_>,
+    x: &Surface<'_>,
+    numbers: Numbers,
+    throughput: Rgb,
+    out: &mut [Rgb],
+    rays: &mut Rays,
+) {
     let u = numbers.one(ledger::light(0));
-    let far = gather::from_some_lights(pass.world, x, pass.lights, LIGHTS, u, &mut rays.compensation);
-    far + near_light(pass, x, Way::Straight, numbers, rays)
+    for (lights, out) in pass.zip(out) {
+        let (most, u) = (LIGHTS * lights.share, lights.turned(u));
+        let rays = &mut rays.compensation;
+        *out += throughput * gather::from_some_lights(pass.world, x, lights.points, most, u, rays);
+    }
+    near_light(pass, x, Way::Straight, numbers, throughput, out, rays);
 }
 
-/// What clamping took from lights nearby: (G − b)⁺/G of the light that a short ray meets.
+/// Adds `throughput` times what clamping took from lights nearby, group by group: (G − b)⁺/G of the light that a short
+/// ray meets. It reaches as far as any group's bound asks, and finds for each group what a ray of its own would.
 pub(super) fn near_light(
     pass: &Pass<'_>,
     x: &Surface<'_>,
     way: Way,
     numbers: Numbers,
+    throughput: Rgb,
+    out: &mut [Rgb],
     rays: &mut Rays,
-) -> Rgb {
-    let (world, b) = (pass.world, pass.plan.emitter_bound);
-    if b == f32::INFINITY {
-        return Rgb::BLACK;
+) {
+    let (world, bounds) = (pass.world, &pass.plan.emitter_bounds);
+    let reach = 1.0 / pass.plan.emitter_bound.sqrt();
+    if reach == 0.0 || !world.may_glow_near([x.position, x.position], reach) {
+        return;
     }
-    let reach = 1.0 / b.sqrt();
-    if !world.may_glow_near([x.position, x.position], reach) {
-        return Rgb::BLACK;
-    }
-    let Some(s) = Short::new(world, x, way, reach, numbers, 0, &mut rays.compensation) else {
-        return Rgb::BLACK;
+    let Some(s) = Short::new(world, x, way, reach, numbers, 0, &mut rays.compensation) else { return };
+    let mut add = |emitter: u32, radiance: Rgb, taken: &dyn Fn(f32) -> f32| {
+        if let Some(place) = pass.place_of(emitter) {
+            let taken = taken(bounds[pass.lights[place].group]);
+            out[place] += throughput * s.weight * radiance * taken;
+        }
     };
-    let mut sum = Rgb::BLACK;
     let t_max = s.met.as_ref().map_or(s.ray.t_max, |y| (y.position - s.ray.origin).length());
     world.glows(s.ray.origin, s.ray.direction, t_max, |glow| {
-        sum += s.clear_to(glow.distance) * glow.radiance * s.taken(glow.distance, glow.cosine, b);
+        let radiance = s.clear_to(glow.distance) * glow.radiance;
+        add(glow.emitter, radiance, &|b| s.taken(glow.distance, glow.cosine, b));
     });
-    if let Some(y) = s.met.as_ref().filter(|y| !y.emission().is_black()) {
-        sum += s.clear_from(y) * y.emission() * s.taken_from(y, b);
+    let glowing = s.met.as_ref().filter(|y| !y.emission().is_black());
+    if let Some((y, emitter)) = glowing.and_then(|y| Some((y, world.emitter_of(y)?))) {
+        add(emitter, s.clear_from(y) * y.emission(), &|b| s.taken_from(y, b));
     }
-    sum * s.weight
 }

@@ -22,10 +22,12 @@ impl Integrator for Emission {
         false
     }
 
-    fn add<'w>(&self, _pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], _rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], _rays: &mut Rays) {
         for packet in &tile.packets {
-            for k in packet.lanes() {
-                out[packet.pixels[k] as usize] += packet.emission[k];
+            for gleam in &packet.gleams {
+                if let Some(place) = pass.place_of(gleam.emitter) {
+                    out[place][packet.pixels[gleam.lane] as usize] += gleam.radiance;
+                }
             }
         }
     }

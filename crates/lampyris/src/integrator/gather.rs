@@ -3,8 +3,8 @@
 //! `from_light` is the clear version for one point and one light; `packet` does the same for sixteen points at once,
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
-use super::Pass;
 use super::pick::{Open, pick, pick_for_point};
+use super::{Lights, Pass};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::{Kernel, Ray, Wide, lanes};
@@ -94,29 +94,35 @@ pub fn from_lights(world: &World, x: &Surface<'_>, lights: &[Vpl<'_>], rays: &mu
     lights.iter().map(|l| from_light(world, x, l, rays)).fold(Rgb::BLACK, |a, b| a + b)
 }
 
-/// An unbiased estimate of [`from_lights`] by about `most` of the lights: every n-th, from a start that `u` draws.
+/// An unbiased estimate of [`from_lights`] by `most` of the lights in the mean, evenly apart, from a start that `u` draws.
 pub fn from_some_lights(
     world: &World,
     x: &Surface<'_>,
     lights: &[Vpl<'_>],
-    most: usize,
+    most: f32,
     u: f32,
     rays: &mut u64,
 ) -> Rgb {
     some_of(lights, most, u, |light| from_light(world, x, light, rays))
 }
 
-/// An unbiased estimate of [`from_lights`] by about `most` of a pass' virtual lights, picked by what they would give; `u`
+/// An unbiased estimate of [`from_lights`] by about `most` of a group's virtual lights, picked by what they would give; `u`
 /// draws them.
-pub(super) fn from_some_vpls(pass: &Pass<'_>, x: &Surface<'_>, most: u32, u: f32, rays: &mut u64) -> Rgb {
-    if pass.vpls.len() <= most as usize {
-        return from_lights(pass.world, x, pass.vpls, rays);
+pub(super) fn from_some_vpls(
+    world: &World,
+    x: &Surface<'_>,
+    lights: &Lights<'_>,
+    most: f32,
+    u: f32,
+    rays: &mut u64,
+) -> Rgb {
+    if lights.vpls.len() as f32 <= most {
+        return from_lights(world, x, lights.vpls, rays);
     }
     let mut sum = Rgb::BLACK;
-    let kernel = pass.world.tracer().kernel();
     let point = (x.position, x.shading, x.finish.transmits);
-    pick_for_point(kernel, point, pass.beacons, most, u, |k, factor| {
-        sum += from_light(pass.world, x, &pass.vpls[k], rays) * factor;
+    pick_for_point(world.tracer().kernel(), point, lights.beacons, most, u, |k, factor| {
+        sum += from_light(world, x, &lights.vpls[k], rays) * factor;
     });
     sum
 }
@@ -124,36 +130,42 @@ pub(super) fn from_some_vpls(pass: &Pass<'_>, x: &Surface<'_>, most: u32, u: f32
 /// An unbiased estimate of the sum of `light_of` over all lights.
 pub(super) fn some_of<'a, 'w>(
     lights: &'a [Vpl<'w>],
-    most: usize,
+    most: f32,
     u: f32,
     light_of: impl FnMut(&'a Vpl<'w>) -> Rgb,
 ) -> Rgb {
-    let every = lights.len().div_ceil(most).max(1);
-    let start = (u * every as f32) as usize;
-    let some = lights.iter().skip(start).step_by(every);
-    some.map(light_of).fold(Rgb::BLACK, |a, b| a + b) * every as f32
+    let gap = (lights.len() as f32 / most).max(1.0);
+    let some = (0..).map_while(|i| lights.get(((u + i as f32) * gap) as usize));
+    some.map(light_of).fold(Rgb::BLACK, |a, b| a + b) * gap
 }
 
-/// Adds what every point of a tile receives from a list of lights.
-pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
+/// Adds what every point of a tile receives from the light points of a pass.
+pub(super) fn tile_of_points(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
     for p in tile.packets.iter().filter(|p| p.live != 0) {
-        add(p, &packet(pass.world, p, lights, rays), out);
+        let mut gathered = Gathered::new(p);
+        for (lights, out) in pass.zip(out) {
+            lights.points.iter().for_each(|light| gathered.add(pass.world, light, 1.0, rays));
+            add(p, &gathered.take(), out);
+        }
     }
 }
 
 /// Adds what every point of a tile receives from the virtual lights of a pass, as many of them as settings allow.
-pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Rgb], rays: &mut u64) {
-    let Some(most) = pass.settings.picks.filter(|most| (*most as usize) < pass.vpls.len()) else {
-        return self::tile(pass, tile, pass.vpls, out, rays);
-    };
+pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
     let world = pass.world;
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
-        pick(world.tracer().kernel(), p, (pass.beacons, Open), most, u, |k, factor| {
-            gathered.add(world, &pass.vpls[k], factor, rays);
-        });
-        add(p, &gathered.radiance(), out);
+        for (lights, out) in pass.zip(out) {
+            let mut each = |k: usize, factor| gathered.add(world, &lights.vpls[k], factor, rays);
+            match lights.picks(pass.settings) {
+                None => (0..lights.vpls.len()).for_each(|k| each(k, 1.0)),
+                Some(most) => {
+                    pick(world.tracer().kernel(), p, (lights.beacons, Open), most, lights.turned(u), each);
+                }
+            }
+            add(p, &gathered.take(), out);
+        }
     }
 }
 
@@ -189,7 +201,7 @@ impl<'p, 'w> Points<'p, 'w> {
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
     lights.iter().for_each(|light| gathered.add(world, light, 1.0, rays));
-    gathered.radiance()
+    gathered.take()
 }
 
 /// What the points of a packet have received so far.
@@ -233,9 +245,11 @@ impl<'p, 'w> Gathered<'p, 'w> {
         }
     }
 
-    fn radiance(self) -> [Rgb; LANES] {
-        let (p, mut radiance) = (self.packet, self.radiance);
-        let [r, g, b] = &self.irradiance;
+    /// The radiance that leaves the points by what they received since this was asked last [cd/m²].
+    fn take(&mut self) -> [Rgb; LANES] {
+        let p = self.packet;
+        let mut radiance = std::mem::replace(&mut self.radiance, [Rgb::BLACK; LANES]);
+        let [r, g, b] = std::mem::take(&mut self.irradiance);
         for k in lanes(p.lambertian) {
             radiance[k] += p.reflectance[k] * Rgb::new(r[k], g[k], b[k]) * FRAC_1_PI;
         }

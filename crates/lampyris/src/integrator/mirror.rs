@@ -6,7 +6,7 @@
 
 use super::pick::pick;
 use super::short::Way;
-use super::{Costly, Integrator, Pass, compensation, direct, gather};
+use super::{Costly, Integrator, Lights, Pass, compensation, direct, gather};
 use crate::color::Rgb;
 use crate::eye::{LANES, Numbers, Packet, Tile};
 use crate::geometry::{Ray, lane, lanes};
@@ -23,7 +23,7 @@ const SURE: f32 = 0.25;
 
 /// Lights, and virtual lights, whose images stand for all of them where a single point is shaded: what is over a mirror at
 /// the end of a short ray matters little.
-const SOURCES: usize = 1;
+const SOURCES: f32 = 1.0;
 
 /// Images picked in a perfect mirror for each virtual light picked: one costs three times as much, and gives less.
 const MIRRORED: f32 = 0.25;
@@ -44,61 +44,78 @@ impl Integrator for Mirror {
         true
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         let world = pass.world;
         if world.mirrors().is_empty() {
             return;
         }
-        // Many virtual lights are picked among packet by packet.
-        let picks = pass.settings.picks.filter(|most| (*most as usize) < pass.vpls.len());
-        let many: Vec<(u8, Vec<Beacon>)> = match picks {
-            Some(_) => {
-                (0..).zip(world.mirrors()).map(|(k, plane)| (k, images(plane, pass.beacons))).collect()
-            }
-            None => Vec::new(),
-        };
-        let lights = pass.lights.iter().chain(if picks.is_none() { pass.vpls } else { &[] });
-        let seed = sequence::hash(pass.sampling.seed, b'm'.into());
-        let images: Vec<Image<'w>> = lights
-            .flat_map(|light| Image::all(world, light))
-            .zip(0..)
-            .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
-            .collect();
-        for p in tile.packets.iter().filter(|p| p.live != 0) {
-            let mut radiance = packet(world, p, &images, &mut rays.shadow);
-            if let Some(most) = picks {
-                let picked = picked(pass, p, &many, most);
-                let more = packet(world, p, &picked, &mut rays.shadow);
-                lanes(p.live).for_each(|k| radiance[k] += more[k]);
-            }
-            gather::add(p, &radiance, out);
+        for (lights, out) in pass.zip(out) {
+            group(pass, lights, tile, out, &mut rays.shadow);
         }
         let reach = 1.0 / pass.plan.bound.min(pass.plan.emitter_bound).sqrt();
         let near = tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach));
         let costly = Costly { purpose: b'm', phase: 3 };
-        costly.add(pass, near, out, |x, numbers| {
-            direct::near_light(pass, x, Way::Folded, numbers, rays)
-                + compensation::beyond_clamp(pass, *x, Way::Folded, numbers.branch(0), rays)
+        costly.add(pass, near, out, |x, numbers, found| {
+            direct::near_light(pass, x, Way::Folded, numbers, Rgb::WHITE, found, rays);
+            compensation::beyond_clamp(pass, *x, Way::Folded, numbers.branch(0), found, rays);
         });
     }
 }
 
-/// Radiance at one point by light over a mirror, up to the clamp of virtual lights: the clear, scalar form.
-pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, rays: &mut Rays) -> Rgb {
+/// Adds what every point of a tile receives of the light of one group over mirrors, up to the clamp.
+fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut u64) {
+    let world = pass.world;
+    // Many virtual lights are picked among packet by packet.
+    let picks = lights.picks(pass.settings);
+    let many: Vec<(u8, Vec<Beacon>)> = match picks {
+        Some(_) => (0..).zip(world.mirrors()).map(|(k, plane)| (k, images(plane, lights.beacons))).collect(),
+        None => Vec::new(),
+    };
+    let sources = lights.points.iter().chain(if picks.is_none() { lights.vpls } else { &[] });
+    let seed = sequence::hash(pass.sampling.seed, b'm'.into());
+    let images: Vec<Image<'w>> = sources
+        .flat_map(|light| Image::all(world, light))
+        .zip(0..)
+        .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
+        .collect();
+    for p in tile.packets.iter().filter(|p| p.live != 0) {
+        let mut radiance = packet(world, p, &images, rays);
+        if let Some(most) = picks {
+            let picked = picked(world, lights, p, &many, most);
+            let more = packet(world, p, &picked, rays);
+            lanes(p.live).for_each(|k| radiance[k] += more[k]);
+        }
+        gather::add(p, &radiance, out);
+    }
+}
+
+/// Adds `throughput` times the radiance at one point by light over a mirror, up to the clamp of virtual lights, group by
+/// group: the clear, scalar form.
+pub(super) fn at(
+    pass: &Pass<'_>,
+    x: &Surface<'_>,
+    numbers: Numbers,
+    throughput: Rgb,
+    out: &mut [Rgb],
+    rays: &mut Rays,
+) {
     let world = pass.world;
     if world.mirrors().is_empty() {
-        return Rgb::BLACK;
+        return;
     }
     let u = numbers.one(ledger::light(0));
-    let some = |lights, most, rays: &mut u64| {
+    let some = |lights: &[Vpl<'_>], most, u, rays: &mut u64| {
         gather::some_of(lights, most, u, |light| {
             let images = Image::all(world, light);
             images.map(|image| image.light_at(world, x, rays)).fold(Rgb::BLACK, |a, b| a + b)
         })
     };
-    let rays_before = &mut rays.compensation;
-    let far = some(pass.lights, SOURCES, rays_before) + some(pass.vpls, SOURCES, rays_before);
-    far + direct::near_light(pass, x, Way::Folded, numbers, rays)
+    for (lights, out) in pass.zip(out) {
+        let (most, u) = (SOURCES * lights.share, lights.turned(u));
+        let traced = &mut rays.compensation;
+        *out += throughput * (some(lights.points, most, u, traced) + some(lights.vpls, most, u, traced));
+    }
+    direct::near_light(pass, x, Way::Folded, numbers, throughput, out, rays);
 }
 
 /// What picking asks of the images of virtual lights in a mirror.
@@ -112,17 +129,22 @@ fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
     beacons.iter().map(image).collect()
 }
 
-/// The images of virtual lights that a packet traces: the stronger a mirror the more, one at least.
-fn picked<'w>(pass: &Pass<'w>, p: &Packet<'_>, many: &[(u8, Vec<Beacon>)], most: u32) -> Vec<Image<'w>> {
-    let world = pass.world;
+/// The images of virtual lights that a packet traces: the stronger a mirror the more, of all groups one at least.
+fn picked<'w>(
+    world: &'w World,
+    lights: &Lights<'w>,
+    p: &Packet<'_>,
+    many: &[(u8, Vec<Beacon>)],
+    most: f32,
+) -> Vec<Image<'w>> {
     let first = p.numbers[p.live.trailing_zeros() as usize].branch(b'm'.into());
     let mut images = Vec::new();
     for (number, beacons) in many {
         let plane = &world.mirrors()[*number as usize];
-        let share = (MIRRORED * most as f32 * plane.strength()).ceil().max(1.0) as u32;
-        let u = first.branch(u32::from(*number)).one(ledger::PICK);
+        let share = (MIRRORED * most * plane.strength()).max(lights.share);
+        let u = lights.turned(first.branch(u32::from(*number)).one(ledger::PICK));
         pick(world.tracer().kernel(), p, (beacons, plane), share, u, |k, factor| {
-            let image = Image::new(plane, *number, &pass.vpls[k]);
+            let image = Image::new(plane, *number, &lights.vpls[k]);
             images.extend(image.map(|image| Image { weight: factor, ..image }));
         });
     }

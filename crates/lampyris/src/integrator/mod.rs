@@ -35,16 +35,59 @@ pub struct Pass<'w> {
     pub plan: &'w Plan,
     /// What looks.
     pub eye: &'w Eye,
-    /// Light points of this pass: an unbiased stand-in for all light sources.
-    pub lights: &'w [Vpl<'w>],
-    /// Virtual point lights of this pass: an unbiased stand-in for all reflected light.
-    pub vpls: &'w [Vpl<'w>],
-    /// The same for picking among them.
-    pub beacons: &'w [Beacon],
+    /// The light of this pass, one entry for each light group that is asked for.
+    pub lights: &'w [Lights<'w>],
     /// Caustic photons of the batch; `None` where the oracle does their work.
     pub photons: Option<&'w Photons>,
     /// Which sample of each pixel.
     pub sampling: Sampling,
+}
+
+/// The light of one light group, as far as one class of pixels gathers it.
+#[derive(Clone, Copy)]
+pub struct Lights<'w> {
+    /// Which group.
+    pub group: usize,
+    /// Its share of the samples that a point takes of all light: of light paths it has as many.
+    pub share: f32,
+    /// Light points: an unbiased stand-in for its light sources.
+    pub points: &'w [Vpl<'w>],
+    /// Virtual point lights: an unbiased stand-in for all reflected light.
+    pub vpls: &'w [Vpl<'w>],
+    /// The same for picking among them.
+    pub beacons: &'w [Beacon],
+}
+
+impl Lights<'_> {
+    /// How many of its virtual lights a packet picks in the mean; `None` for all.
+    fn picks(&self, settings: &Settings) -> Option<f32> {
+        let most = settings.picks? as f32 * self.share;
+        (most < self.vpls.len() as f32).then_some(most)
+    }
+
+    /// A number in [0, 1) as this group uses it: groups of small shares take turns.
+    fn turned(&self, u: f32) -> f32 {
+        (u + GOLDEN * self.group as f32).fract()
+    }
+}
+
+/// The golden ratio's fraction: its multiples spread evenly over the unit interval.
+const GOLDEN: f32 = 0.618_034;
+
+impl<'w> Pass<'w> {
+    /// Which of the [`Pass::lights`] an emitter belongs to.
+    fn place_of(&self, emitter: u32) -> Option<usize> {
+        let group = self.world.group_of(emitter);
+        self.lights.iter().position(|lights| lights.group == group)
+    }
+
+    /// Each group's light with the sum that it is to be added to.
+    fn zip<'o, T>(
+        &self,
+        out: &'o mut [T],
+    ) -> impl Iterator<Item = (&'w Lights<'w>, &'o mut T)> + use<'w, 'o, T> {
+        self.lights.iter().zip(out)
+    }
 }
 
 /// TRAIT 2 of two: an algorithm, covering one part of path space.
@@ -63,8 +106,9 @@ pub trait Integrator: Send + Sync {
         false
     }
 
-    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` is row by row.
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays);
+    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` has a plane for each of
+    /// [`Pass::lights`], row by row.
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays);
 }
 
 /// Every integrator: one table for program, tests and documentation.
@@ -137,14 +181,16 @@ pub(crate) struct Costly {
 }
 
 impl Costly {
-    /// Adds the radiance that `at` finds at the visible points of some packets [cd/m²], where it is their turn.
+    /// Adds the radiance that `at` finds at the visible points of some packets [cd/m²], group by group, where it is their
+    /// turn.
     pub(crate) fn add<'p, 'w: 'p>(
         &self,
         pass: &Pass<'_>,
         packets: impl Iterator<Item = &'p Packet<'w>>,
-        out: &mut [Rgb],
-        mut at: impl FnMut(&Surface<'w>, Numbers) -> Rgb,
+        out: &mut [Vec<Rgb>],
+        mut at: impl FnMut(&Surface<'w>, Numbers, &mut [Rgb]),
     ) {
+        let mut found = vec![Rgb::BLACK; out.len()];
         for p in packets {
             for k in p.lanes() {
                 let numbers = p.numbers[k];
@@ -152,8 +198,11 @@ impl Costly {
                 if turn.is_multiple_of(STRIDE)
                     && let Some(x) = p.visible(k)
                 {
-                    let found = at(&x.surface, numbers.branch(self.purpose.into()));
-                    out[p.pixels[k] as usize] += x.throughput * found * STRIDE as f32;
+                    found.fill(Rgb::BLACK);
+                    at(&x.surface, numbers.branch(self.purpose.into()), &mut found);
+                    for (out, found) in out.iter_mut().zip(&found) {
+                        out[p.pixels[k] as usize] += x.throughput * *found * STRIDE as f32;
+                    }
                 }
             }
         }

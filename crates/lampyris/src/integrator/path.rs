@@ -35,7 +35,7 @@ impl Integrator for Path {
         false
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         for packet in &tile.packets {
             for k in packet.lanes() {
                 let pixel = packet.pixels[k];
@@ -51,9 +51,12 @@ impl Integrator for Path {
                         None => continue,
                     },
                 };
-                let parts =
-                    trace(pass.world, start, Scope::Everything, packet.numbers[k].branch(b'p'.into()), rays);
-                out[pixel as usize] += parts.sum();
+                let numbers = packet.numbers[k].branch(b'p'.into());
+                trace(pass.world, start, Scope::Everything, numbers, rays, |emitter, _, light| {
+                    if let Some(place) = pass.place_of(emitter) {
+                        out[place][pixel as usize] += light;
+                    }
+                });
             }
         }
     }
@@ -76,36 +79,9 @@ pub(super) enum Scope {
     Caustics,
 }
 
-/// One estimate, sorted by the partition [cd/m²].
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Parts {
-    pub(super) emission: Rgb,
-    pub(super) direct: Rgb,
-    /// *vpl* + *compensation*.
-    pub(super) indirect: Rgb,
-    pub(super) mirror: Rgb,
-    pub(super) caustic: Rgb,
-}
-
-impl Parts {
-    fn sum(&self) -> Rgb {
-        self.emission + self.direct + self.indirect + self.mirror + self.caustic
-    }
-
-    fn add(&mut self, history: History, value: Rgb) {
-        match history {
-            History::Sharp => self.emission += value,
-            History::First => self.direct += value,
-            History::Dull => self.indirect += value,
-            History::Folded | History::Mirror => self.mirror += value,
-            History::Caustic => self.caustic += value,
-        }
-    }
-}
-
 /// What a path from the eye has met so far: light found now belongs to the part of the same row in the partition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum History {
+pub(super) enum History {
     /// S*.
     Sharp,
     /// S* x, the first dull vertex.
@@ -142,21 +118,23 @@ impl History {
     }
 }
 
-/// One path and its connections to the lights.
+/// One path and its connections to the lights: calls `found` with each emitter that it finds, the part that its light
+/// belongs to, and the light [cd/m²].
 pub(super) fn trace(
     world: &World,
     start: Start<'_>,
     scope: Scope,
     numbers: Numbers,
     rays: &mut Rays,
-) -> Parts {
-    let mut parts = Parts::default();
+    mut found: impl FnMut(u32, History, Rgb),
+) {
+    let found = &mut found;
     let mut throughput = Rgb::WHITE;
     let mut history = History::Sharp;
     // Density with which the current ray was chosen; infinite if next-event estimation cannot have found the same.
     let mut pdf = f32::INFINITY;
     let mut surface = match start {
-        Start::Ray(ray) => arrive(world, ray, None, pdf, history, &mut throughput, &mut parts, rays),
+        Start::Ray(ray) => arrive(world, ray, None, pdf, history, &mut throughput, found, rays),
         Start::Surface(surface) => Some(surface),
     };
     for vertex in 0..MAX_VERTICES {
@@ -174,8 +152,9 @@ pub(super) fn trace(
         let probability = |class| (if class == Class::Sharp { sharp } else { dull }) / (sharp + dull);
         for class in [Class::Sharp, Class::Dull] {
             if probability(class) > 0.0 {
-                let lit = connect(world, &x, class, probability(class), numbers, vertex, rays);
-                parts.add(history.after(class), throughput * lit);
+                connect(world, &x, class, probability(class), numbers, vertex, rays, |emitter, lit| {
+                    found(emitter, history.after(class), throughput * lit);
+                });
             }
         }
         let class = if numbers.one(ledger::class(vertex)) < probability(Class::Sharp) {
@@ -196,9 +175,8 @@ pub(super) fn trace(
             throughput *= 1.0 / stay;
         }
         let ray = Ray::new(x.spawn(s.wi), s.wi);
-        surface = arrive(world, ray, Some(&x), pdf, history, &mut throughput, &mut parts, rays);
+        surface = arrive(world, ray, Some(&x), pdf, history, &mut throughput, found, rays);
     }
-    if scope == Scope::Caustics { Parts { caustic: parts.caustic, ..Parts::default() } } else { parts }
 }
 
 /// Traces a ray from `start`, or from the eye, and counts what glows along it and at its end.
@@ -210,7 +188,7 @@ fn arrive<'w>(
     pdf: f32,
     history: History,
     throughput: &mut Rgb,
-    parts: &mut Parts,
+    found: &mut impl FnMut(u32, History, Rgb),
     rays: &mut Rays,
 ) -> Option<Surface<'w>> {
     rays.path += 1;
@@ -218,19 +196,21 @@ fn arrive<'w>(
     let t_max = met.as_ref().map_or(f32::INFINITY, |y| (y.position - ray.origin).length());
     world.glows(ray.origin, ray.direction, t_max, |glow| {
         let clear = start.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
-        parts.add(history, *throughput * clear * glow.radiance * balance(pdf, glow.pdf));
+        found(glow.emitter, history, *throughput * clear * glow.radiance * balance(pdf, glow.pdf));
     });
     if let Some(y) = &met {
         *throughput *= y.clear_from(ray.origin, start);
     }
-    if let Some(y) = met.as_ref().filter(|y| !y.emission().is_black()) {
+    let glowing = met.as_ref().filter(|y| !y.emission().is_black());
+    if let Some((y, emitter)) = glowing.and_then(|y| Some((y, world.emitter_of(y)?))) {
         let weight = if pdf.is_finite() { balance(pdf, world.pdf_toward(y, ray.origin)) } else { 1.0 };
-        parts.add(history, *throughput * y.emission() * weight);
+        found(emitter, history, *throughput * y.emission() * weight);
     }
     met
 }
 
-/// Light that one class of lobes at `x` sends on, by a sampled point of a light.
+/// Light that one class of lobes at `x` sends on, by a sampled point of each light chosen.
+#[allow(clippy::too_many_arguments, reason = "the state of one path")]
 fn connect(
     world: &World,
     x: &Surface<'_>,
@@ -239,23 +219,22 @@ fn connect(
     numbers: Numbers,
     vertex: u32,
     rays: &mut Rays,
-) -> Rgb {
-    let Some((k, share)) = world.choose_emitter(numbers.one(ledger::light(vertex))) else {
-        return Rgb::BLACK;
-    };
-    let emitter = &world.emitters()[k as usize];
-    let Some(arrival) = emitter.toward(x.position, numbers.pair(ledger::light_point(vertex))) else {
-        return Rgb::BLACK;
-    };
-    let value = x.eval(class, x.wo, arrival.wi) * x.cosine(arrival.wi);
-    if value.is_black() {
-        return Rgb::BLACK;
+    mut found: impl FnMut(u32, Rgb),
+) {
+    for (k, share) in world.choose_emitters(numbers.one(ledger::light(vertex))) {
+        let emitter = &world.emitters()[k as usize];
+        let Some(arrival) = emitter.toward(x.position, numbers.pair(ledger::light_point(vertex))) else {
+            continue;
+        };
+        let value = x.eval(class, x.wo, arrival.wi) * x.cosine(arrival.wi);
+        if value.is_black() {
+            continue;
+        }
+        rays.path += 1;
+        if world.unblocked(x.spawn(arrival.wi), &arrival) {
+            let clear = x.clear_to(arrival.wi, arrival.distance(x.position), None);
+            let weight = balance(share * arrival.pdf, probability * x.pdf(class, arrival.wi));
+            found(k, value * clear * arrival.weight * (weight / share));
+        }
     }
-    rays.path += 1;
-    if !world.unblocked(x.spawn(arrival.wi), &arrival) {
-        return Rgb::BLACK;
-    }
-    let clear = x.clear_to(arrival.wi, arrival.distance(x.position), None);
-    let weight = balance(share * arrival.pdf, probability * x.pdf(class, arrival.wi));
-    value * clear * arrival.weight * (weight / share)
 }

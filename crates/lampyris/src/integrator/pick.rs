@@ -40,18 +40,18 @@ impl Window for &Mirror {
 }
 
 /// Calls `each` with the numbers of the lights that a packet traces, about `most` of them, and the factors that make them
-/// stand for all; `u` in [0, 1) places the comb.
+/// stand for all; `u` in [0, 1) places the comb, and of less than one light decides whether there is any.
 pub(super) fn pick(
     kernel: Kernel,
     p: &Packet<'_>,
     (beacons, window): (&[Beacon], impl Window),
-    most: u32,
+    most: f32,
     u: f32,
     mut each: impl FnMut(usize, f32),
 ) {
     let runs = beacons.len().div_ceil(RUN).max(1);
     let length = beacons.len().div_ceil(runs).max(1);
-    let teeth = most.div_ceil(runs as u32) as f32;
+    let teeth = most / runs as f32;
     let points = Points::new(p);
     let mut weights = [0.0; RUN];
     for (number, run) in beacons.chunks(length).enumerate() {
@@ -67,7 +67,7 @@ pub(super) fn pick_for_point(
     kernel: Kernel,
     (x, normal, transmits): (Vec3, Vec3, bool),
     beacons: &[Beacon],
-    most: u32,
+    most: f32,
     u: f32,
     mut each: impl FnMut(usize, f32),
 ) {
@@ -78,12 +78,10 @@ pub(super) fn pick_for_point(
     let weights = &mut weights[..beacons[first..].len().div_ceil(step)];
     let total = kernel.run(WeighForPoint { x, normal, transmits, beacons: &beacons[first..], step, weights });
     // The same number places the comb: what is left of it is uniform again.
-    comb(weights, total, most as f32, chosen.fract(), |k, factor| {
-        each(first + k * step, factor * step as f32)
-    });
+    comb(weights, total, most, chosen.fract(), |k, factor| each(first + k * step, factor * step as f32));
 }
 
-/// Lays so many teeth over the running sum of weights, which is `total`.
+/// Lays so many teeth, in the mean, over the running sum of weights, which is `total`.
 fn comb(weights: &[f32], total: f32, teeth: f32, u: f32, mut each: impl FnMut(usize, f32)) {
     if !(total > 0.0 && total < f32::INFINITY) {
         return;

@@ -18,7 +18,7 @@ impl Integrator for VirtualLights {
         "L (S|D)* D D S* E, min(G, b)"
     }
 
-    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
+    fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         gather::tile_of_vpls(pass, tile, out, &mut rays.shadow);
     }
 }

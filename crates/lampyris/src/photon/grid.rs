@@ -28,6 +28,8 @@ pub struct Grid {
     /// Of the kernel [m].
     radius: f32,
     per_cell: f32,
+    /// The corner that cells are counted from.
+    origin: Vec3,
     /// The box around all photons.
     extent: [Vec3; 2],
     mask: u32,
@@ -37,8 +39,9 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Sorts photons for a kernel of `radius` [m].
-    pub fn new(photons: Vec<Photon>, radius: f32) -> Grid {
+    /// Sorts photons for a kernel of `radius` [m]. Cells are counted from `origin`, which lies below and beside everything:
+    /// in what order photons are found depends on nothing but those that are found.
+    pub fn new(photons: Vec<Photon>, origin: Vec3, radius: f32) -> Grid {
         let extent = photons.iter().fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[lo, hi], p| {
             [lo.min(p.position), hi.max(p.position)]
         });
@@ -46,6 +49,7 @@ impl Grid {
         let mut grid = Grid {
             radius,
             per_cell: 0.5 / radius,
+            origin,
             extent,
             mask: buckets as u32 - 1,
             starts: vec![0; buckets + 1],
@@ -82,30 +86,27 @@ impl Grid {
         &self.photons
     }
 
-    /// Radiance that the dull lobes of `x` send toward its `wo` of the light that the photons around it brought [cd/m²]:
-    /// Σ f_r Φ k(d/r)/(πr²) with Epanechnikov's kernel k = 2 (1 − d²/r²).
-    pub fn radiance(&self, x: &Surface<'_>) -> Rgb {
+    /// Radiance that the dull lobes of `x` send toward its `wo` of the light that the photons around it brought, each by
+    /// itself with its emitter [cd/m²]: f_r Φ k(d/r)/(πr²) with Epanechnikov's kernel k = 2 (1 − d²/r²).
+    pub fn radiance(&self, x: &Surface<'_>, mut add: impl FnMut(u32, Rgb)) {
         match x.finish.lambertian {
-            Some(rho) => rho * self.irradiance(x.position, x.normal) * FRAC_1_PI,
-            None => {
-                let mut sum = Rgb::BLACK;
-                self.near(x.position, x.normal, |p, weight| {
-                    sum += x.eval(Class::Dull, x.wo, p.wi) * p.flux * weight;
-                });
-                sum
+            Some(rho) => {
+                let rho = rho * FRAC_1_PI;
+                self.irradiance(x.position, x.normal, |emitter, light| add(emitter, rho * light));
             }
+            None => self.near(x.position, x.normal, |p, weight| {
+                add(p.emitter, x.eval(Class::Dull, x.wo, p.wi) * p.flux * weight);
+            }),
         }
     }
 
-    /// Illuminance of the side of a surface that `normal` points to [lx].
-    pub fn irradiance(&self, x: Vec3, normal: Vec3) -> Rgb {
-        let mut sum = Rgb::BLACK;
+    /// Illuminance of the side of a surface that `normal` points to, photon by photon with its emitter [lx].
+    pub fn irradiance(&self, x: Vec3, normal: Vec3, mut add: impl FnMut(u32, Rgb)) {
         self.near(x, normal, |p, weight| {
             if p.normal.dot(normal) > 0.0 {
-                sum += p.flux * weight;
+                add(p.emitter, p.flux * weight);
             }
         });
-        sum
     }
 
     /// Calls `take` with each photon within the radius that lies on the surface of `normal` at `x`, on either side of
@@ -141,9 +142,9 @@ impl Grid {
     }
 
     /// The cell of a point, or of the point that lies `before` cells before it on each axis. Cells are counted from one
-    /// cell below the box around all photons.
+    /// cell below the origin.
     fn cell(&self, p: Vec3, before: f32) -> [u32; 3] {
-        let at = (p - self.extent[0]) * self.per_cell + (1.0 - before);
+        let at = (p - self.origin) * self.per_cell + (1.0 - before);
         at.to_array().map(|c| c as u32)
     }
 

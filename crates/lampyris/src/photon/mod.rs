@@ -62,6 +62,8 @@ pub struct Photons {
     pub near: Grid,
     /// From vertices of the walk: L (S|D)* D S⁺ x.
     pub far: Grid,
+    /// Of each emitter, which of the walks it is in.
+    places: Vec<Option<usize>>,
     /// Rays that it took.
     pub rays: u64,
 }
@@ -85,8 +87,15 @@ struct Source<'a, 'w> {
 }
 
 impl Photons {
-    /// Traces and sorts the photons of a batch. The result depends on nothing but its arguments.
-    pub fn new(world: &World, settings: &Settings, walk: &Walk<'_>, batch: Batch) -> Photons {
+    /// Traces and sorts the photons of a batch: those of the light groups given, of which the batch's walks are at hand.
+    /// No photon of a group depends on which others are given.
+    pub fn new(
+        world: &World,
+        settings: &Settings,
+        groups: &[usize],
+        walks: &[Walk<'_>],
+        batch: Batch,
+    ) -> Photons {
         let (replicate, block) = (batch.index % settings.replicates, batch.index / settings.replicates);
         let seed = sequence::hash(settings.seed, replicate);
         let paths = settings.photons.div_ceil(PER_PATH);
@@ -95,39 +104,65 @@ impl Photons {
             let alone =
                 Settings { passes: Some(1), interleave: [1, 1], light_points: None, ..settings.clone() };
             let settings = Settings { paths, seed, ..alone };
-            Walk::new(world, &settings, &Plan::new(world, &settings), batch)
+            let plan = Plan::new(world, &settings);
+            let walk = |group: &usize| Walk::of_group(world, &settings, &plan, batch, *group);
+            groups.iter().map(walk).collect::<Vec<_>>()
         });
-        let (walk, classes) = own.as_ref().map_or((walk, settings.classes()), |own| (own, 1));
-        let lights = lights(world, settings, block, sequence::hash(seed, u32::from(b'k')));
+        let places: Vec<Option<usize>> = (0..world.emitters().len() as u32)
+            .map(|emitter| groups.iter().position(|group| *group == world.group_of(emitter)))
+            .collect();
+        let (walks, classes) = own.as_deref().map_or((walks, settings.classes()), |own| (own, 1));
+        let lights = lights(world, settings, &places, block, sequence::hash(seed, u32::from(b'k')));
         let vertices =
-            vertices(world, settings, (walk, classes), block, sequence::hash(seed, u32::from(b'w')));
+            vertices(world, settings, (walks, classes), block, sequence::hash(seed, u32::from(b'w')));
         let kinds = [(lights, RADIUS[0]), (vertices, RADIUS[1])];
         let shrunk = shrunk(block).sqrt() as f32;
-        let mut rays = own.as_ref().map_or(0, |own| own.rays);
+        let mut rays = own.iter().flatten().map(|walk| walk.rays).sum();
         let [near, far] = kinds.map(|(sources, radius)| {
             let (photons, traced) = trace(world, &sources);
             rays += traced;
-            let count: u32 = sources.iter().map(|s| s.count).fold(0, u32::saturating_add);
-            Grid::new(photons, radius * spacing(world, count) * shrunk)
+            let bounds = world.bounds();
+            let origin = bounds.center - bounds.radius;
+            Grid::new(photons, origin, radius * spacing(world, settings.photons) * shrunk)
         });
-        Photons { near, far, rays }
+        Photons { near, far, places, rays }
     }
 
-    /// Illuminance that photons bring to the side of a surface that `normal` points to [lx].
-    pub fn irradiance(&self, x: Vec3, normal: Vec3) -> Rgb {
-        self.near.irradiance(x, normal) + self.far.irradiance(x, normal)
+    /// Adds the illuminance that photons bring to the side of a surface that `normal` points to [lx], group by group.
+    pub fn irradiance(&self, x: Vec3, normal: Vec3, out: &mut [Rgb]) {
+        for grid in [&self.near, &self.far] {
+            grid.irradiance(x, normal, |emitter, light| self.add(emitter, light, out));
+        }
     }
 
-    /// Radiance that the dull lobes of `x` send toward its `wo` of the light that photons brought [cd/m²].
-    pub fn radiance(&self, x: &Surface<'_>) -> Rgb {
-        self.near.radiance(x) + self.far.radiance(x)
+    /// Adds the radiance that the dull lobes of `x` send toward its `wo` of the light that photons brought [cd/m²], group by
+    /// group.
+    pub fn radiance(&self, x: &Surface<'_>, out: &mut [Rgb]) {
+        for grid in [&self.near, &self.far] {
+            grid.radiance(x, |emitter, light| self.add(emitter, light, out));
+        }
+    }
+
+    #[inline]
+    fn add(&self, emitter: u32, light: Rgb, out: &mut [Rgb]) {
+        if let Some(place) = self.places[emitter as usize] {
+            out[place] += light;
+        }
     }
 }
 
-/// Photons that start on the emitters: each its share of them, at least one where it has any; none where it is dark.
-fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) -> Vec<Source<'a, 'w>> {
+/// Photons that start on the emitters that have a place: each its share of them, at least one where it has any; none where
+/// it is dark.
+fn lights<'a, 'w>(
+    world: &'a World,
+    settings: &Settings,
+    places: &[Option<usize>],
+    block: u32,
+    seed: u32,
+) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
-        let share = if light.is_dark() { 0.0 } else { f64::from(*share) };
+        let silent = light.is_dark() || places[emitter as usize].is_none();
+        let share = if silent { 0.0 } else { f64::from(*share) };
         let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
@@ -144,12 +179,12 @@ fn lights<'a, 'w>(world: &'a World, settings: &Settings, block: u32, seed: u32) 
 fn vertices<'a, 'w>(
     world: &World,
     settings: &Settings,
-    (walk, classes): (&'a Walk<'w>, u32),
+    (walks, classes): (&'a [Walk<'w>], u32),
     block: u32,
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
     let mut running: Vec<Vec<(f64, &Vpl<'w>)>> = vec![Vec::new(); world.emitters().len()];
-    for (vpl, emitter) in walk.vpls.iter().zip(&walk.sources) {
+    for (vpl, emitter) in walks.iter().flat_map(|walk| walk.vpls.iter().zip(&walk.sources)) {
         let running = &mut running[*emitter as usize];
         let flux = f64::from(Aim::new(world, vpl).flux());
         if flux > 0.0 {

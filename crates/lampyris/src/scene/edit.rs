@@ -3,7 +3,7 @@
 //!
 //! Numbers are never used twice: what is taken away leaves its number behind, and what was added later keeps its own.
 
-use super::{Camera, Instance, Scene};
+use super::{Camera, Group, Instance, Scene};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::light::{Bounds, Emitter, Light, LightKind, State};
@@ -65,6 +65,20 @@ pub enum Edit {
         material: u32,
         /// Emitted radiance [cd/m²].
         emission: Rgb,
+    },
+    /// Level and colour of a light group. No light takes other ways: its sums are weighted otherwise.
+    Mix {
+        /// Which group.
+        group: u16,
+        /// What its light is multiplied by from now on.
+        color: Rgb,
+    },
+    /// Puts emitters of one group into another, or into one more, of the next number.
+    Regroup {
+        /// Which emitters.
+        emitters: Vec<u32>,
+        /// Which group.
+        group: u16,
     },
     /// From where the scene is looked at.
     View {
@@ -131,6 +145,14 @@ impl Scene {
                 let own = &mut entry(&mut self.materials, *material, "material")?.emission;
                 Ok(Edit::Emission { material: *material, emission: std::mem::replace(own, *emission) })
             }
+            Edit::Mix { group, color } => {
+                if !glows_soundly(*color) {
+                    return Err(bad("a level that is not finite or too bright"));
+                }
+                let own = &mut entry(&mut self.groups, u32::from(*group), "light group")?.color;
+                Ok(Edit::Mix { group: *group, color: std::mem::replace(own, *color) })
+            }
+            Edit::Regroup { emitters, group } => self.regroup(emitters, *group),
             Edit::View { camera } => {
                 if !camera.as_ref().is_none_or(Camera::is_sound) {
                     return Err(bad("a camera that looks nowhere"));
@@ -138,6 +160,27 @@ impl Scene {
                 Ok(Edit::View { camera: std::mem::replace(&mut self.view, camera.clone()) })
             }
         }
+    }
+
+    fn regroup(&mut self, emitters: &[u32], group: u16) -> Result<Edit> {
+        let Scene { groups, reference, .. } = self;
+        let known = usize::from(group) < groups.len();
+        let next = !groups.is_empty() && groups.len() < Group::MOST && usize::from(group) == groups.len();
+        if !known && !next {
+            return Err(bad(format!("the scene has no light group {group}")));
+        }
+        let mut from = emitters.iter().map(|e| reference.shares.get(*e as usize).map(|share| share.group));
+        let Some(Some(first)) = from.next() else {
+            return Err(bad("a light group of emitters that the scene does not have"));
+        };
+        if from.any(|other| other != Some(first)) {
+            return Err(bad("emitters that are not of one light group"));
+        }
+        if !known {
+            groups.push(groups[usize::from(first)].clone());
+        }
+        emitters.iter().for_each(|e| reference.shares[*e as usize].group = group);
+        Ok(Edit::Regroup { emitters: emitters.to_vec(), group: first })
     }
 
     fn check_mesh(&self, mesh: Option<u32>) -> Result<()> {

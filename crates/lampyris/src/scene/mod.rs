@@ -12,7 +12,7 @@ mod viewpoint;
 pub use camera::{Camera, View};
 pub use edit::Edit;
 pub(crate) use paint::{Least, Spot};
-pub use reference::{Reference, Share, Source};
+pub use reference::{Group, Reference, Share, Source};
 pub use sight::Seen;
 pub use summary::Summary;
 pub use upward::upward;
@@ -55,6 +55,9 @@ pub struct Scene {
     /// What the shares of the light paths are fixed by; [`crate::world::World::new`] fills in what is missing.
     #[serde(default)]
     pub reference: Reference,
+    /// Light groups; none where all light is summed together. [`crate::world::World::separate`] makes them.
+    #[serde(default)]
+    pub groups: Vec<Group>,
 }
 
 /// Triangles that move together.

@@ -8,7 +8,6 @@ use super::{World, geometry};
 use crate::color::Rgb;
 use crate::error::Result;
 use crate::geometry::Screen;
-use crate::light::{Emitter, LightKind};
 use crate::material::Material;
 use crate::scene::{Edit, Instance, Mesh, Scene};
 use std::sync::Arc;
@@ -18,8 +17,12 @@ use std::sync::Arc;
 pub struct Changes {
     /// The edit that takes it back.
     pub inverse: Edit,
-    /// Emitters whose light is another one now, by number; light from infinity is, where the scene's extent is.
+    /// Emitters whose light is another one now, by number: all of them, where the scene's extent is.
     pub emitters: Vec<u32>,
+    /// Light groups whose sum is another one now: the groups of these emitters, and those that lost some.
+    pub groups: Vec<usize>,
+    /// The groups are weighted otherwise.
+    pub mix: bool,
     /// Surfaces stand elsewhere: all light takes other ways.
     pub geometry: bool,
     /// Surfaces scatter otherwise: all light becomes other light.
@@ -31,7 +34,12 @@ pub struct Changes {
 impl Changes {
     /// True if a picture is another one now.
     pub fn any(&self) -> bool {
-        self.geometry || self.materials || self.view || !self.emitters.is_empty()
+        self.mix || self.restarts_all() || !self.groups.is_empty()
+    }
+
+    /// True if the light of every group is another one now.
+    pub fn restarts_all(&self) -> bool {
+        self.geometry || self.materials || self.view
     }
 }
 
@@ -42,8 +50,15 @@ impl World {
     /// As [`Scene::apply`]; nothing is changed then.
     pub fn apply(&mut self, edit: &Edit) -> Result<Changes> {
         let inverse = self.change_scene(|scene| scene.apply(edit))?;
-        let mut changes =
-            Changes { inverse, emitters: Vec::new(), geometry: false, materials: false, view: false };
+        let mut changes = Changes {
+            inverse,
+            emitters: Vec::new(),
+            groups: Vec::new(),
+            mix: false,
+            geometry: false,
+            materials: false,
+            view: false,
+        };
         if changes.inverse == *edit {
             return Ok(changes);
         }
@@ -73,6 +88,16 @@ impl World {
                     Material { emission: *emission, ..self.scene.materials[*material as usize].clone() };
                 self.refinish(*material, &old);
             }
+            (Edit::Mix { .. }, _) => {
+                changes.mix = true;
+                return Ok(changes);
+            }
+            (Edit::Regroup { emitters, group }, Edit::Regroup { group: before, .. }) => {
+                let shares = &mut self.emitters.reference.shares;
+                emitters.iter().for_each(|k| shares[*k as usize].group = *group);
+                changes.groups = vec![usize::from(*before), usize::from(*group)];
+                return Ok(changes);
+            }
             _ => changes.view = true,
         }
         let before = self.figures.bounds;
@@ -80,11 +105,11 @@ impl World {
         changes.emitters = self.emitters.take_changed();
         let after = self.figures.bounds;
         if (before.center, before.radius) != (after.center, after.radius) {
-            let distant = (0..).zip(&self.emitters.all).filter(|(_, e)| is_distant(e)).map(|(k, _)| k);
-            changes.emitters.extend(distant);
-            changes.emitters.sort_unstable();
-            changes.emitters.dedup();
+            changes.emitters = (0..self.emitters.all.len() as u32).collect();
         }
+        changes.groups = changes.emitters.iter().map(|k| self.group_of(*k)).collect();
+        changes.groups.sort_unstable();
+        changes.groups.dedup();
         Ok(changes)
     }
 
@@ -173,12 +198,4 @@ impl World {
         }
         (scatters && seen, holes)
     }
-}
-
-/// Does its light come from infinity?
-fn is_distant(emitter: &Emitter) -> bool {
-    matches!(
-        emitter,
-        Emitter::Lamp(LightKind::Directional { .. }) | Emitter::Environment { .. } | Emitter::Sky(_)
-    )
 }

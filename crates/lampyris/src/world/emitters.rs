@@ -28,9 +28,7 @@ pub(super) struct Emitters {
     sides: BTreeMap<(u32, u32), [Option<u32>; 2]>,
     /// What each has of the N paths of a batch.
     pub(super) shares: Vec<f32>,
-    /// The same of those that are not dark, summing to 1.
-    pub(super) chances: Vec<f32>,
-    /// Running sum of the chances.
+    /// Their running sum.
     cumulative: Vec<f32>,
     /// Emitters that rays can meet without hitting a triangle: spheres and discs.
     pub(super) lamps: Vec<u32>,
@@ -59,7 +57,6 @@ impl Emitters {
             reference,
             sides: BTreeMap::new(),
             shares: Vec::new(),
-            chances: Vec::new(),
             cumulative: Vec::new(),
             lamps: Vec::new(),
             environment: None,
@@ -77,7 +74,7 @@ impl Emitters {
             None => {
                 let number = self.all.len() as u32;
                 self.numbers.insert(source, number);
-                self.reference.shares.push(Share { source, share: 0.0 });
+                self.reference.shares.push(Share { source, share: 0.0, group: 0 });
                 self.all.push(Emitter::NONE);
                 self.there.push(false);
                 self.extents.push(None);
@@ -189,17 +186,12 @@ impl Emitters {
         let there = |k: &usize| self.there[*k];
         let shares = self.reference.shares.iter().zip(&self.there);
         self.shares = shares.map(|(of, there)| if *there { of.share } else { 0.0 }).collect();
-        let bright = |(e, p): (&Emitter, &f32)| if e.is_dark() { 0.0 } else { f64::from(*p) };
-        let weights: Vec<f64> = self.all.iter().zip(&self.shares).map(bright).collect();
-        let total: f64 = weights.iter().sum();
-        let chance = |p: f64| if total > 0.0 { (p / total) as f32 } else { 0.0 };
-        self.chances = weights.iter().map(|p| chance(*p)).collect();
         let mut running = 0.0;
-        let mut run = |p: &f64| {
-            running += p;
-            chance(running)
+        let mut run = |p: &f32| {
+            running += f64::from(*p);
+            running as f32
         };
-        self.cumulative = weights.iter().map(&mut run).collect();
+        self.cumulative = self.shares.iter().map(&mut run).collect();
         let lit = |k: &usize| self.all[*k].area() > 0.0 && matches!(self.all[*k], Emitter::Lamp(_));
         self.lamps = (0..self.all.len()).filter(there).filter(lit).map(|k| k as u32).collect();
         self.boxes = self.extents.iter().flatten().copied().collect();
@@ -243,10 +235,14 @@ impl Emitters {
         self.sides.get(&(instance, material))
     }
 
-    /// The emitter that `u` in [0, 1) chooses by its chance.
-    pub(super) fn choose(&self, u: f32) -> Option<u32> {
-        let k = self.cumulative.partition_point(|c| *c <= u);
-        (k < self.all.len()).then_some(k as u32)
+    /// The emitters that `u` in [0, 1) chooses: where shares sum to more than 1, one of each stretch of length 1, so that
+    /// no emitter's chances hang on what comes after it.
+    pub(super) fn choose(&self, u: f32) -> impl Iterator<Item = u32> {
+        let total = self.cumulative.last().copied().unwrap_or(0.0);
+        (0..total.ceil() as u32).filter_map(move |stretch| {
+            let k = self.cumulative.partition_point(|c| *c <= u + stretch as f32);
+            (k < self.all.len()).then_some(k as u32)
+        })
     }
 
     /// Numbers of those that were set since, in order.
