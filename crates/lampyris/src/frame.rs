@@ -7,6 +7,7 @@
 
 use crate::color::Rgb;
 use crate::eye::Rect;
+use crate::geometry::{Kernel, Wide};
 use crate::sequence;
 use crate::settings::Settings;
 use crate::testing::student_quantile;
@@ -178,36 +179,30 @@ impl Frame {
 
     /// The mean of one layer over all its batches, in its colour; `None` if there is none of that number.
     pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
-        let mut mean = self.black();
-        self.layers.get(number)?.add_mean(1.0, &mut mean);
-        Some(mean)
+        Some(self.sum(self.layers.get(number)?.mean(1.0)))
     }
 
     /// The picture: the mean of all layers together.
     pub fn mean(&self) -> Vec<Rgb> {
-        let mut mean = self.black();
-        self.layers.iter().for_each(|layer| layer.add_mean(1.0, &mut mean));
-        mean
+        self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0)))
     }
 
     /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
     /// be visible. The one turns into the other by degrees.
     pub fn shown(&self) -> Vec<Rgb> {
         let share = if self.filtered { filtered_share(self.visible_error()) } else { 0.0 };
-        let mut picture = self.black();
-        for layer in &self.layers {
-            if share < 1.0 {
-                layer.add_mean(1.0 - share, &mut picture);
-            }
-            if let Some(shown) = layer.shown.as_ref().filter(|_| share > 0.0) {
-                add_scaled(shown, layer.color * (share * layer.scale()), &mut picture);
-            }
-        }
-        picture
+        self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0 - share).chain(layer.mean_shown(share))))
     }
 
-    fn black(&self) -> Vec<Rgb> {
-        vec![Rgb::BLACK; self.width as usize * self.height as usize]
+    /// The sum of planes, each times a colour.
+    fn sum<'p>(&self, planes: impl Iterator<Item = (&'p [Rgb], Rgb)>) -> Vec<Rgb> {
+        let planes: Vec<(&[Rgb], Rgb)> = planes.filter(|(_, by)| !by.is_black()).collect();
+        let mut sum = vec![Rgb::BLACK; self.width as usize * self.height as usize];
+        let kernel = Kernel::detect();
+        sum.par_chunks_mut(RUN).enumerate().for_each(|(k, sum)| {
+            kernel.run(Mix { planes: &planes, start: k * RUN, sum });
+        });
+        sum
     }
 
     /// The mean over pixels of the squared relative error that the spread of the randomisations promises, dark pixels
@@ -361,19 +356,43 @@ impl Layer {
         1.0 / self.batches().max(1) as f32
     }
 
-    /// Adds so much of its mean, in its colour.
-    fn add_mean(&self, share: f32, to: &mut [Rgb]) {
-        let scale = self.color * (share * self.scale());
-        self.planes.iter().for_each(|plane| add_scaled(plane, scale, to));
+    /// The planes whose sum is so much of its mean, in its colour.
+    fn mean(&self, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
+        let by = self.color * (share * self.scale());
+        self.planes.iter().map(move |plane| (plane.as_slice(), by))
+    }
+
+    /// The same of what its batches show.
+    fn mean_shown(&self, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
+        let by = self.color * (share * self.scale());
+        self.shown.iter().map(move |plane| (plane.as_slice(), by))
     }
 }
 
-/// Adds a plane, times a colour.
-fn add_scaled(plane: &[Rgb], by: Rgb, to: &mut [Rgb]) {
-    const RUN: usize = 1 << 14;
-    to.par_chunks_mut(RUN).zip(plane.par_chunks(RUN)).for_each(|(to, plane)| {
-        to.iter_mut().zip(plane).for_each(|(to, v)| *to += *v * by);
-    });
+/// Pixels that are summed at a time: their sum stays in the nearest cache while all planes are added to it.
+const RUN: usize = 1 << 11;
+
+/// Adds a run of planes, each times a colour.
+struct Mix<'a> {
+    planes: &'a [(&'a [Rgb], Rgb)],
+    /// Where the run begins.
+    start: usize,
+    sum: &'a mut [Rgb],
+}
+
+impl Wide for Mix<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (plane, by) in self.planes {
+            for (sum, v) in self.sum.iter_mut().zip(&plane[self.start..]) {
+                sum.r += v.r * by.r;
+                sum.g += v.g * by.g;
+                sum.b += v.b * by.b;
+            }
+        }
+    }
 }
 
 /// Which pixel of a block stands for all: another in each, or interleaving would always see the same class.

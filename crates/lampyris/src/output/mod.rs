@@ -5,6 +5,7 @@
 
 mod atomic;
 mod despeckle;
+mod encode;
 mod exposure;
 mod exr;
 mod hdr;
@@ -20,6 +21,7 @@ pub use tone::{ToneCurve, srgb};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use despeckle::despeckle;
+use encode::Encoder;
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -84,7 +86,8 @@ pub fn save(path: &Path, picture: &Picture, display: &Display) -> Result<()> {
 pub fn display(picture: &Picture, options: &Display) -> Vec<[u8; 3]> {
     let factor = options.exposure.factor(&picture.radiance);
     let curve = options.tone.unwrap_or_default();
-    let encode = |&c: &Rgb| curve.apply(c * factor).to_array().map(srgb);
+    let encoder = Encoder::new();
+    let encode = |&c: &Rgb| curve.apply(c * factor).to_array().map(|v| encoder.encode(v));
     if options.despeckle {
         despeckle(picture.width, picture.height, &picture.radiance).par_iter().map(encode).collect()
     } else {
