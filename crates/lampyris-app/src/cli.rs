@@ -121,6 +121,10 @@ pub(crate) struct RenderArgs {
     /// Further layers in OpenEXR: direct, indirect, albedo, normal, depth, object
     #[arg(long)]
     pub(crate) aov: bool,
+    /// Sum the light of up to N groups of lamps apart, luminaires by their names, then by material: in OpenEXR each has a
+    /// layer, which add up to the picture, so that lamps can be dimmed and coloured afterwards
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) groups: Option<u32>,
     /// Print a report as one JSON value
     #[arg(long)]
     pub(crate) json: bool,
@@ -239,6 +243,9 @@ pub(crate) struct EstimateArgs {
     /// Virtual lights that sixteen pixels pick by what they would give them unshadowed [default: 8; unfiltered all]
     #[arg(long, value_name = "N")]
     pub(crate) picks: Option<u32>,
+    /// Segments of the longest paths counted, from the lamp to the eye; a limit takes light away [default: none]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    pub(crate) longest: Option<u32>,
     /// Time from loading to the last batch; writing comes on top, and one batch is always done
     #[arg(long, value_name = "SECONDS", value_parser = parse::seconds)]
     pub(crate) time: Option<Duration>,

@@ -81,6 +81,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
         interleave: args.interleave.map_or(otherwise.interleave, |(n, m)| [n, m]),
         light_points: args.light_points.or(otherwise.light_points),
         picks: args.picks.or(otherwise.picks),
+        longest: args.longest,
         photons: args.photons.unwrap_or(otherwise.photons),
         clamp: args.clamp.unwrap_or(otherwise.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(otherwise.absorption), absorption)?,

@@ -10,7 +10,7 @@ use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::frame::Frame;
 use lampyris::output::{self, Layer, Picture, Plane};
-use lampyris::scene::{Camera, View};
+use lampyris::scene::{Camera, Scene, View};
 use lampyris::world::World;
 use lampyris::{Error, Rgb};
 use serde::Serialize;
@@ -88,7 +88,11 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
 
     let mut backend = Cpu::new(asked.threads.map(|n| n as usize))?;
     let phase = Phase::begin("building the tree", args.quiet);
-    let world = backend.install(|| World::new(loaded.scene));
+    let world = backend.install(|| {
+        let mut world = World::new(loaded.scene);
+        args.groups.map_or(Ok(()), |most| world.separate(most as usize))?;
+        Ok::<_, Error>(world)
+    })?;
     let built_at = Instant::now();
 
     let (width, height) = args.size;
@@ -107,8 +111,10 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let rendered_at = Instant::now();
 
     let Statistics { rays, vpls, non_finite } = backend.statistics();
+    let groups = backend.world().map_or(Vec::new(), |world| group_names(world.scene()));
     let frame = backend.frame()?;
-    let picture = picture(frame, metadata(args, &settings, &chosen.camera, frame.batches()), args.aov);
+    let metadata = metadata(args, &settings, &chosen.camera, frame.batches());
+    let picture = picture(frame, metadata, &groups, args.aov);
     let display = args.display.display();
     let written = outputs.iter().map(|path| interrupt::writing(|| output::save(path, &picture, &display)));
     // Each file is tried: a full disk under one says nothing of the others.
@@ -176,11 +182,28 @@ fn outputs(args: &RenderArgs) -> Result<Vec<PathBuf>, Error> {
     Ok(args.output.clone())
 }
 
-fn picture(frame: &Frame, metadata: Vec<(String, String)>, aov: bool) -> Picture {
+/// What the layers of the light groups are called: names without what separates layers from channels, each once.
+fn group_names(scene: &Scene) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for group in &scene.groups {
+        let plain: String =
+            group.name.chars().map(|c| if c == '.' || c.is_control() { '_' } else { c }).collect();
+        let plain = format!("light {}", if plain.is_empty() { "unnamed" } else { &plain });
+        let others = (2..).map(|k| format!("{plain} {k}"));
+        names.extend(std::iter::once(plain.clone()).chain(others).find(|name| !names.contains(name)));
+    }
+    names
+}
+
+fn picture(frame: &Frame, metadata: Vec<(String, String)>, groups: &[String], aov: bool) -> Picture {
     let mut picture = Picture::new(frame.width, frame.height, frame.shown());
     picture.metadata = metadata;
     if aov {
         picture.layers = layers(frame);
+    }
+    for (number, name) in groups.iter().enumerate() {
+        let plane = frame.shown_layer(number).map(Plane::Color);
+        picture.layers.extend(plane.map(|plane| Layer { name: name.clone(), plane }));
     }
     picture
 }
@@ -189,8 +212,8 @@ fn picture(frame: &Frame, metadata: Vec<(String, String)>, aov: bool) -> Picture
 fn layers(frame: &Frame) -> Vec<Layer> {
     let mut layers = Vec::new();
     let mut layer = |name: &str, plane| layers.push(Layer { name: name.into(), plane });
-    // The path tracer does not tell direct from indirect.
-    if frame.part_names().all(|n| n != "path") {
+    // The path tracer does not tell direct from indirect, nor do light groups.
+    if frame.part_names().all(|n| n != "path") && frame.part_names().count() > 0 {
         let sum = |direct: bool| {
             let mut sum = vec![Rgb::BLACK; frame.width as usize * frame.height as usize];
             let names = frame.part_names().filter(|n| DIRECT.contains(n) == direct);
@@ -229,6 +252,8 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
         ("light points", or_all(settings.light_points)),
         ("picks", or_all(settings.picks)),
         ("filter", if settings.filter { "auto" } else { "off" }.to_string()),
+        ("longest path", or_all(settings.longest)),
+        ("light groups", args.groups.map_or("1".into(), |n| n.to_string())),
         ("batches", batches.to_string()),
         ("seed", settings.seed.to_string()),
         ("sequence", settings.sequence.name().to_string()),

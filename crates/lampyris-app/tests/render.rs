@@ -135,6 +135,36 @@ fn layers_come_with_the_picture() {
     }
 }
 
+/// Light groups have a layer each, by the names of the luminaires, and the layers add up to the picture.
+#[test]
+fn light_groups_add_up() {
+    let folder = Folder::new("groups");
+    folder.put("office.mgf", include_str!("../../../scenes/office.mgf"));
+    let args = "render office.mgf -o a.exr --size 32x24 --frame --groups 16 --eye 0.35,0.35,1.5 --target 4.05,3.7,0.9 --up 0,0,1 --fov 55 --json";
+    let run = run(&folder, args);
+    assert_eq!((run.code, run.json()["non_finite"].as_u64()), (0, Some(0)), "{}", run.err);
+    let image = exr::prelude::read_all_flat_layers_from_file(folder.0.join("a.exr")).unwrap();
+    let layers: Vec<(String, Vec<f32>)> = image
+        .layer_data
+        .iter()
+        .map(|layer| {
+            let name = layer.attributes.layer_name.as_ref().map(ToString::to_string).unwrap_or_default();
+            let list: &exr::prelude::AnyChannels<exr::prelude::FlatSamples> = &layer.channel_data;
+            (name, list.list.iter().flat_map(|c| c.sample_data.values_as_f32()).collect())
+        })
+        .collect();
+    let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
+    assert!((5..=17).contains(&names.len()), "{names:?}");
+    for lamp in ["light panel_desk", "light lamp_torchiere", "light lamp_pendant", "light lamp_desk"] {
+        assert!(names.iter().any(|name| name.contains(lamp)), "no {lamp} in {names:?}");
+    }
+    let most = layers[0].1.iter().copied().fold(0.0, f32::max);
+    for k in 0..layers[0].1.len() {
+        let sum: f32 = layers[1..].iter().map(|(_, values)| values[k]).sum();
+        assert!((layers[0].1[k] - sum).abs() <= 1e-5 * most, "{k}: {} {sum}", layers[0].1[k]);
+    }
+}
+
 #[test]
 fn a_time_is_kept_to_within_a_batch() {
     let folder = Folder::new("time");

@@ -182,6 +182,13 @@ impl Frame {
         Some(self.sum(self.layers.get(number)?.mean(1.0)))
     }
 
+    /// What [`Frame::shown`] has of one layer; `None` if there is none of that number.
+    pub fn shown_layer(&self, number: usize) -> Option<Vec<Rgb>> {
+        let share = self.filtered_share();
+        let layer = self.layers.get(number)?;
+        Some(self.sum(layer.mean(1.0 - share).chain(layer.mean_shown(share))))
+    }
+
     /// The picture: the mean of all layers together.
     pub fn mean(&self) -> Vec<Rgb> {
         self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0)))
@@ -190,8 +197,13 @@ impl Frame {
     /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
     /// be visible. The one turns into the other by degrees.
     pub fn shown(&self) -> Vec<Rgb> {
-        let share = if self.filtered { filtered_share(self.visible_error()) } else { 0.0 };
+        let share = self.filtered_share();
         self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0 - share).chain(layer.mean_shown(share))))
+    }
+
+    /// How much of the picture to show is filtered.
+    fn filtered_share(&self) -> f32 {
+        if self.filtered { filtered_share(self.visible_error()) } else { 0.0 }
     }
 
     /// The sum of planes, each times a colour.

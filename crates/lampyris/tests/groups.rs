@@ -75,6 +75,9 @@ fn layers_add_up_to_the_whole_whatever_the_colours() {
             layers.iter_mut().zip(layer).for_each(|(s, v)| *s += v);
         }
         assert_alike(&layers, &sum.mean());
+        let shown = (0..sum.layers()).filter_map(|k| sum.shown_layer(k)).flatten().map(|v| v.luminance());
+        let (shown, all): (f32, f32) = (shown.sum(), sum.shown().iter().map(|v| v.luminance()).sum());
+        close("shown", shown.into(), all.into(), 1e-4);
         assert!((sum.relative_error() / whole.relative_error() - 1.0).abs() < 0.01);
     }
 }
