@@ -84,7 +84,7 @@ pub(crate) enum Command {
     Play(Box<PlayArgs>),
     /// Measure illuminance [lx] at points of a scene
     #[command(after_help = MEASURE_EXAMPLES)]
-    Measure(MeasureArgs),
+    Measure(Box<MeasureArgs>),
     /// Measure how fast this machine is
     Bench(BenchArgs),
     /// Say what is in a scene
