@@ -88,7 +88,7 @@ pub(crate) enum Command {
     /// Measure how fast this machine is
     Bench(BenchArgs),
     /// Say what is in a scene
-    Info(InfoArgs),
+    Info(Box<InfoArgs>),
     /// List parts, sequences, formats and tone curves
     List(ListArgs),
     /// Print completions for a shell
