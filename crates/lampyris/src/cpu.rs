@@ -161,7 +161,7 @@ impl Job {
     fn add(&mut self, batch: Batch) {
         let walk = Walk::new(&self.world, &self.settings, &self.plan, batch);
         // Meters hang in the air, where no photon stays: they take the oracle.
-        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.has_sharp_surfaces();
+        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.bodies().make_caustics();
         let photons = (useful && integrator::gather_photons(&self.integrators))
             .then(|| Photons::new(&self.world, &self.settings, &walk, batch));
         let width = self.eye.size().0;

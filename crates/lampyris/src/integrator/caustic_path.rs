@@ -28,7 +28,7 @@ impl Integrator for CausticPath {
 
 /// What every point of a tile receives.
 pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut Rays) {
-    if !pass.world.has_sharp_surfaces() {
+    if !pass.world.bodies().make_caustics() {
         return;
     }
     let costly = Costly { purpose: b's', phase: 2 };
@@ -37,7 +37,7 @@ pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: 
 
 /// Radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by paths that are not *mirror*'s.
 pub(super) fn at(world: &World, x: &Surface<'_>, numbers: Numbers, rays: &mut u64) -> Rgb {
-    if !world.has_sharp_surfaces() {
+    if !world.bodies().make_caustics() {
         return Rgb::BLACK;
     }
     let mut traced = Rays::default();
