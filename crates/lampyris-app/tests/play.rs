@@ -144,7 +144,12 @@ fn faults_of_scripts_are_named_with_place_and_mend() {
             "lights[0]: no light is called \"luminair\"; the scene has: luminaire",
         ),
         (light("luminaire", r#"{"frame": 0, "power": -1}"#), 3, "lights[0].keys[0]: power must not"),
-        (light("luminaire", r#"{"frame": 0, "power": 1e39}"#), 3, "number out of range"),
+        (light("luminaire", r#"{"frame": 0, "power": 1e39}"#), 3, "lights[0].keys[0]: need numbers"),
+        (
+            light("luminaire", r#"{"frame": 0, "power": "full"}"#),
+            3,
+            "walk.json:line 1 column 125: need a number, not text in quotes",
+        ),
         (light("luminaire", r#"{"frame": 0, "power": 1e20}"#), 3, "lights[0].keys[0]: need numbers"),
         (light("luminaire", r#"{"frame": 0, "position": [0, 0, 0]}"#), 3, "moved by a track of \"objects\""),
         (light("luminaire", r#"{"frame": 5}, {"frame": 5}"#), 3, "lights[0].keys[1]: need keys in the order"),

@@ -189,7 +189,7 @@ impl Job {
             .map(|group| Walk::of_group(&self.world, &self.settings, &self.plan, batch, *group))
             .collect();
         // Meters hang in the air, where no photon stays: they take the oracle.
-        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.has_sharp_surfaces();
+        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.bodies().make_caustics();
         let photons = (useful && integrator::gather_photons(&self.integrators))
             .then(|| Photons::new(&self.world, &self.settings, &groups, &walks, batch));
         let mut statistics = self.statistics;

@@ -8,7 +8,7 @@ use lampyris::Rgb;
 use lampyris::backend::{Batch, Settings};
 use lampyris::geometry::Ray;
 use lampyris::light::{Beam, LightKind};
-use lampyris::material::{Bsdf, Pbr, Sides};
+use lampyris::material::{Bsdf, Diffuse, Pbr, Sides, Ward};
 use lampyris::particle::{Plan, Walk};
 use lampyris::photon::{Grid, Photon, Photons};
 use lampyris::sequence;
@@ -331,22 +331,70 @@ fn the_light_of_the_caustic_is_the_oracles() {
     });
 }
 
-/// A planar mirror alone has no caustics: its light is the part *mirror*. Two that face each other have.
+/// A planar mirror alone has no caustics: its light is the part *mirror*. Two that face each other have, and so has all
+/// that does more than a mirror does. The world tells which, so that nobody traces photons in vain.
 #[test]
 fn light_over_a_single_mirror_is_left_out() {
-    for (mirrors, any) in [(1, false), (2, true)] {
+    let ward = |transmission: f32| {
+        Bsdf::Ward(Ward {
+            base: Diffuse::opaque(Rgb::grey(0.1)),
+            specular: Rgb::grey(0.5),
+            alpha: 0.0,
+            transmission: Rgb::grey(transmission),
+            transmission_alpha: 0.0,
+        })
+    };
+    let metal = |roughness| Bsdf::Pbr(Pbr { metallic: 1.0, roughness, ..Pbr::default() });
+    let looking_glass = gloss(0.0, 0.9, 0.0);
+    let cases = [
+        ("a mirror", looking_glass, support::diffuse(0.5), false),
+        ("two mirrors", looking_glass, looking_glass, true),
+        ("a painted mirror", ward(0.0), support::diffuse(0.5), false),
+        ("a mirror that lets pass", ward(0.3), support::diffuse(0.5), true),
+        ("metal", metal(0.0), metal(0.6), false),
+        ("brushed metal", metal(0.2), metal(0.6), true),
+        ("a mirror and polish", looking_glass, gloss(0.2, 0.3, 0.05), true),
+        ("a mirror and gloss", looking_glass, gloss(0.2, 0.3, 0.3), false),
+        ("polish", gloss(0.2, 0.5, 0.05), support::diffuse(0.5), true),
+        ("a mirror and a pane", looking_glass, pane(), true),
+        ("a pane", pane(), support::diffuse(0.5), true),
+        ("nothing sharp", support::diffuse(0.5), gloss(0.2, 0.3, 0.3), false),
+    ];
+    for (name, first, second, any) in cases {
         let mut b = Build::default();
         let wall = b.grey(0.5);
-        let mirror = b.material(gloss(0.0, 0.9, 0.0), 0.0, Sides::Both);
-        let other = if mirrors == 2 { mirror } else { wall };
-        b.room(Vec3::ZERO, Vec3::splat(2.0), [mirror, other, wall, wall, wall, wall]);
+        let [first, second] = [first, second].map(|bsdf| b.material(bsdf, 0.0, Sides::Both));
+        // Around the panes, which let light out.
+        b.room(Vec3::splat(-1.0), Vec3::splat(3.0), [wall; 6]);
+        b.room(Vec3::ZERO, Vec3::splat(2.0), [first, second, wall, wall, wall, wall]);
         b.bulb(Vec3::new(0.7, 1.2, 0.9), 10.0);
         let world = World::new(b.0);
-        assert_eq!(world.mirrors().len(), mirrors);
+        assert_eq!(world.bodies().make_caustics(), any, "{name}");
         let photons = map(&world, 1 << 12, 1, 0);
-        assert_eq!(photons.near.photons().is_empty(), !any);
-        assert_eq!(photons.far.photons().is_empty(), !any);
+        assert_eq!(photons.near.photons().is_empty(), !any, "{name}");
+        assert_eq!(photons.far.photons().is_empty(), !any, "{name}");
     }
+}
+
+/// Nor does a photon's place in the list depend on who traced it.
+#[test]
+fn photons_do_not_depend_on_threads() {
+    let world = World::new(still_life().0);
+    let bits = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let all = pool.install(|| map(&world, 1 << 14, 3, 1));
+        assert!(all.near.photons().len().min(all.far.photons().len()) > 1000);
+        let photons = all.near.photons().iter().chain(all.far.photons());
+        photons
+            .flat_map(|p| {
+                let (a, b, c, d) =
+                    (p.position.to_array(), p.flux.to_array(), p.wi.to_array(), p.normal.to_array());
+                [a, b, c, d].concat().into_iter().map(f32::to_bits).chain([p.emitter])
+            })
+            .collect::<Vec<u32>>()
+    };
+    let one = bits(1);
+    assert!([2, 3, 7].iter().all(|threads| bits(*threads) == one));
 }
 
 /// A photon's number is its own light's: to move one light changes no photon of the others.

@@ -1,6 +1,7 @@
 //! `lampyris play`: a walkthrough by a script, each frame as a session shows it first after an edit.
 
 mod flicker;
+mod json;
 mod reel;
 mod script;
 mod stage;

@@ -3,6 +3,7 @@
 //! Between keys values run straight, before the first and after the last they stay. A key may leave out what it does not
 //! set: then that runs on between its neighbours that do.
 
+use super::json;
 use glam::{Vec3, Vec4};
 use lampyris::{Error, Result};
 use serde::Deserialize;
@@ -19,64 +20,80 @@ const LARGEST: f32 = 1e9;
 
 /// A walkthrough.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a script in braces, as in { \"frames\": 60 }")]
 pub(crate) struct Script {
     /// File of the scene, from the script's folder.
+    #[serde(default, deserialize_with = "json::file")]
     pub(crate) scene: Option<PathBuf>,
     /// Width and height [pixels].
-    #[serde(default = "usual_size")]
+    #[serde(default = "usual_size", deserialize_with = "json::size")]
     pub(crate) size: (u32, u32),
     /// Frames a second, for films.
-    #[serde(default = "usual_rate")]
+    #[serde(default = "usual_rate", deserialize_with = "json::count")]
     pub(crate) fps: u32,
+    #[serde(deserialize_with = "json::count")]
     pub(crate) frames: u32,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "json::list")]
     pub(crate) camera: Vec<CameraKey>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "json::list")]
     pub(crate) lights: Vec<Track<LightKey>>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "json::list")]
     pub(crate) objects: Vec<Track<ObjectKey>>,
 }
 
 /// The keys of something that has a name.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a track in braces, of \"name\" and \"keys\"")]
+#[serde(bound(deserialize = "K: Deserialize<'de>"))]
 pub(crate) struct Track<K> {
+    #[serde(deserialize_with = "json::text")]
     pub(crate) name: String,
+    #[serde(deserialize_with = "json::list")]
     pub(crate) keys: Vec<K>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a key in braces, as in { \"frame\": 0 }")]
 pub(crate) struct CameraKey {
+    #[serde(deserialize_with = "json::count")]
     frame: u32,
+    #[serde(default, deserialize_with = "json::vector")]
     pub(crate) eye: Option<Vec3>,
+    #[serde(default, deserialize_with = "json::vector")]
     pub(crate) target: Option<Vec3>,
+    #[serde(default, deserialize_with = "json::vector")]
     pub(crate) up: Option<Vec3>,
     /// Vertical [degrees].
+    #[serde(default, deserialize_with = "json::number")]
     pub(crate) fov: Option<f32>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a key in braces, as in { \"frame\": 0 }")]
 pub(crate) struct LightKey {
+    #[serde(deserialize_with = "json::count")]
     frame: u32,
     /// Where a light that is no surface is [m].
+    #[serde(default, deserialize_with = "json::vector")]
     pub(crate) position: Option<Vec3>,
     /// Factor on what the file says.
+    #[serde(default, deserialize_with = "json::number")]
     pub(crate) power: Option<f32>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a key in braces, as in { \"frame\": 0 }")]
 pub(crate) struct ObjectKey {
+    #[serde(deserialize_with = "json::count")]
     frame: u32,
     /// Away from where the file has it [m].
-    #[serde(rename = "move")]
+    #[serde(rename = "move", default, deserialize_with = "json::vector")]
     pub(crate) shift: Option<Vec3>,
     /// Axis, and degrees about it through the middle of the object.
+    #[serde(default, deserialize_with = "json::turn")]
     pub(crate) turn: Option<Vec4>,
     /// Factor about the middle of the object.
+    #[serde(default, deserialize_with = "json::number")]
     pub(crate) scale: Option<f32>,
 }
 
@@ -180,7 +197,7 @@ impl Script {
             return Err(bad("end".into(), format!("a script of more than {BYTES} bytes; use fewer keys")));
         }
         let script: Script = serde_json::from_slice(&text)
-            .map_err(|e| bad(format!("line {} column {}", e.line(), e.column()), reason(&e)))?;
+            .map_err(|e| bad(format!("line {} column {}", e.line(), e.column()), json::reason(&e)))?;
         script.check().map_err(|(place, reason)| bad(place, reason))?;
         Ok(script)
     }
@@ -230,12 +247,6 @@ fn check_keys<K: Key>(list: &str, keys: &[K]) -> std::result::Result<(), (String
         last = Some(key.frame());
     }
     Ok(())
-}
-
-/// The parser's words without its place, which stands before them.
-fn reason(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    text.split(" at line ").next().unwrap_or_default().to_owned()
 }
 
 #[cfg(test)]

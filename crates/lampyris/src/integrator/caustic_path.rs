@@ -28,7 +28,7 @@ impl Integrator for CausticPath {
 
 /// What every point of a tile receives.
 pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
-    if !pass.world.has_sharp_surfaces() {
+    if !pass.world.bodies().make_caustics() {
         return;
     }
     let costly = Costly { purpose: b's', phase: 2 };
@@ -47,7 +47,7 @@ pub(super) fn at(
     out: &mut [Rgb],
     rays: &mut u64,
 ) {
-    if !pass.world.has_sharp_surfaces() {
+    if !pass.world.bodies().make_caustics() {
         return;
     }
     let mut traced = Rays::default();

@@ -181,6 +181,16 @@ impl Bsdf {
         }
     }
 
+    /// True if nothing is sharp but the lobe of [`Self::mirror_reflectance`], and that of an opaque mirror.
+    pub fn only_mirrors(&self) -> bool {
+        match self {
+            Bsdf::Ward(m) => m.only_mirrors(),
+            Bsdf::Pbr(m) => m.only_mirrors(),
+            Bsdf::Diffuse(_) => true,
+            Bsdf::Dielectric(m) => m.is_dull(),
+        }
+    }
+
     /// The reflectance of the dull class if it is a pure Lambertian reflector: the gather then needs no `eval`.
     pub fn lambertian(&self) -> Option<Rgb> {
         match self {

@@ -131,6 +131,11 @@ impl Pbr {
         if self.ggx().is_delta() && self.reflects() { self.mirrored(cosine, 1.0) } else { Rgb::BLACK }
     }
 
+    /// True if nothing is sharp but a delta lobe in reflection.
+    pub fn only_mirrors(&self) -> bool {
+        self.ggx().class() == Class::Dull || (self.ggx().is_delta() && !self.passes())
+    }
+
     /// The base's reflectance where no lobe of the dull class and no gloss accompanies it.
     pub fn lambertian(&self) -> Option<Rgb> {
         let base = self.base_color * self.shares().plastic;

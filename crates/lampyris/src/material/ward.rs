@@ -90,6 +90,11 @@ impl Ward {
         if self.alpha < DELTA_ALPHA { self.specular } else { Rgb::BLACK }
     }
 
+    /// True if nothing is sharp but a delta lobe in reflection.
+    pub fn only_mirrors(&self) -> bool {
+        self.glosses(Class::Sharp).all(|gloss| gloss.alpha < DELTA_ALPHA && !gloss.transmits)
+    }
+
     /// The base's reflectance where no lobe of the dull class accompanies it.
     pub fn lambertian(&self) -> Option<Rgb> {
         if self.glosses(Class::Dull).next().is_some() { None } else { self.base.lambertian() }

@@ -59,10 +59,12 @@ impl<'a, 'w> Aim<'a, 'w> {
     }
 
     /// A photon: `choice` picks the body, `turn` the direction; `None` where the source does not shine that way.
-    pub(super) fn shoot(&self, choice: f32, turn: [f32; 2]) -> Option<Shot> {
+    pub(super) fn shoot(&self, choice: impl FnOnce() -> f32, turn: [f32; 2]) -> Option<Shot> {
         let bodies = self.world.bodies().all();
         let sum = self.flux();
-        let k = self.running[..bodies.len()].partition_point(|r| *r <= choice * sum);
+        // One body is no choice.
+        let reached = if bodies.len() > 1 { choice() * sum } else { 0.0 };
+        let k = self.running[..bodies.len()].partition_point(|r| *r <= reached);
         let body = bodies.get(k)?;
         let share = (self.running[k] - if k == 0 { 0.0 } else { self.running[k - 1] }) / sum;
         let (ray, flux) = shoot(self.world, self.source, body, turn)?;

@@ -7,7 +7,6 @@ use super::Photon;
 use super::aim::Shot;
 use crate::geometry::Ray;
 use crate::material::{Class, Scatter};
-use crate::particle::Vpl;
 use crate::sequence::ledger::photon as ledger;
 use crate::sequence::sobol;
 use crate::world::{Surface, World};
@@ -39,24 +38,24 @@ impl Numbers {
     }
 }
 
-/// Follows a shot from `source`, and adds what stays; counts the rays. The shot's flux is multiplied by the first of
-/// `scale`; roulette tends to leave photons with the second [lm].
+/// Follows a shot from the surface `start`, if that matters to its light, and adds what stays; counts the rays. Roulette
+/// tends to leave photons with `ordinary` [lm].
 pub(super) fn follow<'w>(
     world: &'w World,
     shot: &Shot,
-    source: &Vpl<'w>,
-    [scale, ordinary]: [f32; 2],
+    start: Option<&Surface<'w>>,
+    ordinary: f32,
     numbers: Numbers,
     emitter: u32,
     photons: &mut Vec<Photon>,
 ) -> u64 {
     let mut ray = shot.ray;
-    let mut flux = shot.flux * scale;
-    let mut last = source.gloss;
+    let mut flux = shot.flux;
+    let mut last = None;
     let mut folded = false;
     for vertex in 0..MAX_VERTICES {
         let Some(y) = world.closest(&ray) else { return u64::from(vertex) + 1 };
-        flux *= y.clear_from(ray.origin, last.as_ref());
+        flux *= y.clear_from(ray.origin, last.as_ref().or(start));
         if vertex == 0 && world.bodies().of(&y) != Some(shot.body) {
             return 1;
         }

@@ -6,6 +6,7 @@ use crate::color::Rgb;
 use crate::material::Class;
 use crate::world::Surface;
 use glam::Vec3;
+use rayon::prelude::*;
 use std::f32::consts::{FRAC_1_PI, PI};
 
 /// Fewest buckets; the steps between rows of cells are chosen for multiples of it.
@@ -42,9 +43,9 @@ impl Grid {
     /// Sorts photons for a kernel of `radius` [m]. Cells are counted from `origin`, which lies below and beside everything:
     /// in what order photons are found depends on nothing but those that are found.
     pub fn new(photons: Vec<Photon>, origin: Vec3, radius: f32) -> Grid {
-        let extent = photons.iter().fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[lo, hi], p| {
-            [lo.min(p.position), hi.max(p.position)]
-        });
+        let nothing = || [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        let union = |[lo, hi]: [Vec3; 2], [low, high]: [Vec3; 2]| [lo.min(low), hi.max(high)];
+        let extent = photons.par_iter().map(|p| [p.position; 2]).reduce(nothing, union);
         let buckets = photons.len().next_power_of_two().max(BUCKETS);
         let mut grid = Grid {
             radius,
@@ -55,7 +56,7 @@ impl Grid {
             starts: vec![0; buckets + 1],
             photons: Vec::new(),
         };
-        let keys: Vec<u32> = photons.iter().map(|p| grid.bucket(grid.cell(p.position, 0.0))).collect();
+        let keys: Vec<u32> = photons.par_iter().map(|p| grid.bucket(grid.cell(p.position, 0.0))).collect();
         for key in &keys {
             grid.starts[*key as usize + 1] += 1;
         }
@@ -72,7 +73,7 @@ impl Grid {
             order[*place as usize] = k;
             *place += 1;
         }
-        grid.photons = order.iter().map(|k| photons[*k as usize]).collect();
+        grid.photons = order.par_iter().map(|k| photons[*k as usize]).collect();
         grid
     }
 

@@ -7,6 +7,7 @@
 //! is the part *mirror*. Nothing here knows of pixels; a map follows from world, settings, walk and batch.
 
 mod aim;
+mod flight;
 mod follow;
 mod grid;
 
@@ -15,13 +16,12 @@ pub use grid::Grid;
 use crate::color::Rgb;
 use crate::light::Emitter;
 use crate::particle::{Plan, Vpl, Walk};
-use crate::sequence::{self, ledger::photon as ledger};
+use crate::sequence;
 use crate::settings::{Batch, Settings};
 use crate::world::{Surface, World};
 use aim::Aim;
-use follow::{Numbers, follow};
+use flight::trace;
 use glam::Vec3;
-use rayon::prelude::*;
 use std::f32::consts::PI;
 
 /// Photons from lights for each light path whose vertices send photons: if the batch has fewer paths, photons have a walk
@@ -36,9 +36,6 @@ const WIDEST: f32 = 0.05;
 
 /// α of progressive photon mapping: the share of each batch's photons that is kept as the radius shrinks.
 const KEPT: f64 = 2.0 / 3.0;
-
-/// Photons that a thread traces at a time.
-const RUN: usize = 256;
 
 /// Light that came to a dull surface over a sharp one.
 #[derive(Clone, Copy, Debug)]
@@ -204,83 +201,6 @@ fn vertices<'a, 'w>(
         }
     };
     number.map(source).collect()
-}
-
-/// Traces all photons of some sources, and counts the rays.
-fn trace(world: &World, sources: &[Source<'_, '_>]) -> (Vec<Photon>, u64) {
-    let numbers: Vec<(usize, Vec<u32>)> = sources.iter().map(Source::order).enumerate().collect();
-    let runs: Vec<(usize, &[u32])> =
-        numbers.iter().flat_map(|(k, order)| order.chunks(RUN).map(|run| (*k, run))).collect();
-    let done: Vec<(Vec<Photon>, u64)> = runs
-        .par_iter()
-        .map(|(source, run)| {
-            let mut photons = Vec::with_capacity(run.len());
-            let rays = run.iter().map(|i| sources[*source].photon(world, *i, &mut photons)).sum();
-            (photons, rays)
-        })
-        .collect();
-    let rays = done.iter().map(|(_, rays)| rays).sum();
-    let mut photons = Vec::with_capacity(done.iter().map(|(photons, _)| photons.len()).sum());
-    done.into_iter().for_each(|(run, _)| photons.extend(run));
-    (photons, rays)
-}
-
-impl Source<'_, '_> {
-    fn numbers(&self, i: u32) -> Numbers {
-        Numbers { index: self.first.wrapping_add(i), seed: self.seed }
-    }
-
-    /// The numbers of its photons, those that take similar ways side by side: the next photon meets boxes and triangles
-    /// that the last one has left in the caches.
-    fn order(&self) -> Vec<u32> {
-        let mut order: Vec<(u16, u32)> = (0..self.count)
-            .into_par_iter()
-            .with_min_len(RUN)
-            .map(|i| {
-                let [u, _, s, t] = self.numbers(i).four(ledger::POINT);
-                let key = match self.origin {
-                    Origin::Light(_) => cell(s, t),
-                    Origin::Vertices(..) => (u * 65536.0) as u16,
-                };
-                (key, i)
-            })
-            .collect();
-        order.par_sort_unstable();
-        order.into_iter().map(|(_, i)| i).collect()
-    }
-
-    /// Traces the i-th photon; counts the rays.
-    fn photon(&self, world: &World, i: u32, photons: &mut Vec<Photon>) -> u64 {
-        let numbers = self.numbers(i);
-        let [u, v, s, t] = numbers.four(ledger::POINT);
-        let point;
-        let (source, weight) = match &self.origin {
-            Origin::Light(emitter) => {
-                let p = emitter.point([u, v]);
-                let (position, shine, intensity) = (p.position, p.shine, p.intensity);
-                point = Vpl { position, shine, intensity, bound: f32::INFINITY, gloss: None };
-                (&point, 1.0)
-            }
-            Origin::Vertices(running, classes) => {
-                let total = running.last().map_or(0.0, |(sum, _)| *sum);
-                let k = running.partition_point(|(sum, _)| *sum <= f64::from(u) * total);
-                let Some((sum, vertex)) = running.get(k) else { return 0 };
-                let own = sum - if k == 0 { 0.0 } else { running[k - 1].0 };
-                (*vertex, (total / (own * classes)) as f32)
-            }
-        };
-        let aim = Aim::new(world, source);
-        let weight = weight / self.count as f32;
-        let Some(shot) = aim.shoot(numbers.one(ledger::BODY), [s, t]) else { return 0 };
-        follow(world, &shot, source, [weight, weight * aim.flux()], numbers, self.emitter, photons)
-    }
-}
-
-/// The place of a point of the unit square on a curve through 128 × 128 cells whose neighbours are neighbours mostly: the
-/// bits of both coordinates in turn.
-fn cell(s: f32, t: f32) -> u16 {
-    let spread = |x: f32| (0..7).fold(0, |all, bit| all | ((x * 128.0) as u16 >> bit & 1) << (2 * bit));
-    spread(s) | spread(t) << 1
 }
 
 /// Mean distance between so many photons, were they spread evenly in the shadows of all sharp bodies, each by what it is

@@ -36,6 +36,8 @@ pub struct Body {
 #[derive(Clone, Debug, Default)]
 pub struct Bodies {
     bodies: Vec<Body>,
+    /// They are more than one planar mirror.
+    caustics: bool,
     /// Of each instance the materials with sharp lobes, and the bodies they belong to.
     of: Vec<Vec<(u32, u32)>>,
 }
@@ -79,7 +81,10 @@ impl Bodies {
         let size = |p: &Part| (p.extent[1] - p.extent[0]).length_squared();
         parts.sort_by(|a, b| size(b).total_cmp(&size(a)));
 
-        let mut found = Bodies::default();
+        // Light that leaves a plane does not come back to it.
+        let mirror = |p: &Part| p.plane && finishes[p.material as usize].bsdf.only_mirrors();
+        let single = mirrors.all().len() == 1 && parts.iter().all(mirror);
+        let mut found = Bodies { caustics: !single && !parts.is_empty(), ..Bodies::default() };
         for (k, part) in parts.iter().enumerate() {
             let number = k.min(MOST_BODIES - 1);
             let reflects = finishes[part.material as usize].sharp.max_channel().clamp(LEAST_WORTH, 1.0);
@@ -105,6 +110,11 @@ impl Bodies {
     /// All of them, the largest first; a body's place in the list is its number.
     pub fn all(&self) -> &[Body] {
         &self.bodies
+    }
+
+    /// False only if all light that they send on is that over a single planar mirror: the part *mirror*, and no other.
+    pub fn make_caustics(&self) -> bool {
+        self.caustics
     }
 
     /// The body that a surface belongs to.

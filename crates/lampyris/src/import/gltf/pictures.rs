@@ -8,16 +8,14 @@ use super::material::images_used;
 use crate::error::Result;
 use crate::import::Limits;
 use crate::import::files::Root;
-use crate::import::image::{Gate, Refusal};
+use crate::import::image::{Gate, Source};
 use crate::import::name::clipped;
 use crate::import::notes::Notes;
 use crate::texture::Image;
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::path::Path;
 
-/// The scene's images, and for each of the document's which one it became. Headers are looked at one after the other, so
-/// that the limits mean the same on any machine; then all cores decode.
+/// The scene's images, and for each of the document's which one it became.
 pub(super) fn read(
     document: &json::Document,
     buffers: &Buffers<'_>,
@@ -27,40 +25,30 @@ pub(super) fn read(
     notes: &mut Notes,
 ) -> Result<(Vec<Image>, Vec<Option<u32>>)> {
     let used = images_used(document);
-    let pairs = document.images.iter().zip(used);
-    let sources: Vec<_> = pairs.map(|(i, used)| used.then(|| bytes(i, buffers, root, file))).collect();
-    let mut gate = Gate::new(*limits);
-    let mut admitted = Vec::with_capacity(sources.len());
-    for source in &sources {
-        admitted.push(match source {
-            None => None,
-            Some(Err(why)) => Some(Err(why.clone())),
-            Some(Ok(bytes)) => match gate.admit(bytes) {
-                Ok(picture) => Some(Ok(picture)),
-                Err(Refusal::Unreadable(why)) => Some(Err(why)),
-                Err(over) => return Err(over.into_error(file)),
-            },
-        });
-    }
-    let names = document.images.iter().enumerate().map(|(k, i)| called(i, k)).collect::<Vec<_>>();
-    let decoded: Vec<_> = admitted
-        .into_par_iter()
-        .zip(&names)
-        .map(|(picture, name)| picture.map(|p| p.and_then(|p| p.decode(name))))
-        .collect();
+    let (indices, sources): (Vec<usize>, Vec<Source<'_>>) = document
+        .images
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| used[*index])
+        .map(|(index, image)| {
+            let bytes = bytes(image, buffers, root, file);
+            (index, Source { name: called(image, index), bytes })
+        })
+        .unzip();
+    let decoded = Gate::new(*limits).decode(&sources).map_err(|(_, over)| over.into_error(file))?;
     let mut images = Vec::new();
-    let mut numbers = Vec::with_capacity(decoded.len());
-    for (index, made) in decoded.into_iter().enumerate() {
-        let made = made.and_then(|made| {
-            let warn = |why| {
-                notes.warn(format!("image {index}"), &format!("{why}; the material's factors stand for it"))
-            };
-            made.map_err(warn).ok()
-        });
-        numbers.push(made.map(|image| {
-            images.push(image);
-            images.len() as u32 - 1
-        }));
+    let mut numbers = vec![None; document.images.len()];
+    for (index, made) in indices.into_iter().zip(decoded) {
+        match made {
+            Ok(image) => {
+                numbers[index] = Some(images.len() as u32);
+                images.push(image);
+            }
+            Err(why) => {
+                let warning = format!("{why}; the material's factors stand for it");
+                notes.warn(format!("image {index}"), &warning);
+            }
+        }
     }
     Ok((images, numbers))
 }

@@ -1,7 +1,7 @@
 //! Pictures that scenes are made of: PNG, JPEG, Radiance HDR and OpenEXR, told apart by their first bytes.
 //! A file of a thousand bytes can ask for a gigabyte. So the few numbers that say how much a picture will need are
 //! read here first, and no decoder sees a file that asks for more than the limits grant. Admitting is cheap and in the
-//! order of the file; what was admitted may then be decoded by many threads.
+//! order of the file, so that the limits mean the same on any machine; what was admitted is then decoded by all cores.
 //!
 //! PNG and JPEG become 8 bits a channel (the upper ones of 16), HDR and OpenEXR linear floats from 0 to
 //! 10¹² without alpha; what is no finite number is black. Profiles and other metadata are skipped. A PNG that moves
@@ -15,6 +15,8 @@ mod radiance;
 use super::Limits;
 use crate::error::Error;
 use crate::texture::{Image, Pixels};
+use rayon::prelude::*;
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Longest side of a picture [pixels].
@@ -76,6 +78,15 @@ pub struct Gate {
     taken: u64,
 }
 
+/// A picture that a scene looks at.
+#[derive(Clone, Debug)]
+pub struct Source<'a> {
+    /// What the scene's image will be called.
+    pub name: String,
+    /// The file, or why it cannot be had.
+    pub bytes: Result<Cow<'a, [u8]>, String>,
+}
+
 /// A picture that may be decoded.
 #[derive(Clone, Copy, Debug)]
 pub struct Admitted<'a> {
@@ -122,6 +133,26 @@ impl Gate {
         let size = size.map_err(|reason| Refusal::Unreadable(format!("{}: {reason}", format.name())))?;
         self.taken = self.taken.saturating_add(self.check(size, bytes.len() as u64)?);
         Ok(Admitted { bytes, format, size })
+    }
+
+    /// All pictures of a list, each or why it cannot be read. The result depends on their order and on nothing else.
+    ///
+    /// # Errors
+    /// Place in the list and [`Refusal`] of the first that needs more than a limit allows; then none is decoded.
+    pub fn decode(&mut self, sources: &[Source<'_>]) -> Result<Vec<Result<Image, String>>, (usize, Refusal)> {
+        let mut admitted = Vec::with_capacity(sources.len());
+        for (k, source) in sources.iter().enumerate() {
+            admitted.push(match &source.bytes {
+                Err(why) => Err(why.clone()),
+                Ok(bytes) => match self.admit(bytes) {
+                    Ok(picture) => Ok(picture),
+                    Err(Refusal::Unreadable(why)) => Err(why),
+                    Err(over) => return Err((k, over)),
+                },
+            });
+        }
+        let pairs = admitted.into_par_iter().zip(sources);
+        Ok(pairs.map(|(picture, source)| picture.and_then(|p| p.decode(&source.name))).collect())
     }
 
     /// The bytes that a picture needs, if they may be had.

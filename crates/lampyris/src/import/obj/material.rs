@@ -109,6 +109,11 @@ impl Default for Surface {
 }
 
 impl Surface {
+    /// True if it names any.
+    pub(super) fn has_pictures(&self) -> bool {
+        [&self.map_kd, &self.map_ke, &self.map_d, &self.norm, &self.bump].iter().any(|map| map.is_some())
+    }
+
     /// The scene's material, without its textures, and what had to be mended.
     pub(super) fn to_material(&self, name: &str) -> (Material, Option<&'static str>) {
         let glass = matches!(self.illum, 4 | 6 | 7 | 9) && self.pr.is_none() && self.pm.is_none();

@@ -4,9 +4,9 @@
 mod faces;
 mod library;
 mod material;
+mod pictures;
 
 use super::files::Root;
-use super::image::Gate;
 use super::lines::{Place, TooLong, next_line, words};
 use super::name::clipped;
 use super::notes::Notes;
@@ -18,6 +18,7 @@ use crate::material::{Bsdf, Diffuse, Material, Sides};
 use crate::scene::{Instance, Scene};
 use faces::{Corner, Faces};
 use glam::{Affine3A, Vec2, Vec3};
+use pictures::Pictures;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -34,8 +35,7 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Loaded> {
         scene: Scene { up: Some(Vec3::Y), ..Scene::default() },
         materials: HashMap::new(),
         libraries: Vec::new(),
-        gate: Gate::new(options.limits),
-        images: HashMap::new(),
+        pictures: Pictures::new(options.limits),
         current: None,
         object: String::new(),
         group: String::new(),
@@ -57,9 +57,7 @@ struct Reader<'a> {
     /// Materials by name; a name defined twice means the first.
     materials: HashMap<String, u32>,
     libraries: Vec<PathBuf>,
-    gate: Gate,
-    /// Pictures met before, and what became of them.
-    images: HashMap<PathBuf, Option<u32>>,
+    pictures: Pictures,
     /// Material of the faces that follow.
     current: Option<u32>,
     object: String,
@@ -235,8 +233,7 @@ impl Reader<'_> {
                 names: &mut self.materials,
                 root: &self.root,
                 limits: self.limits,
-                gate: &mut self.gate,
-                images: &mut self.images,
+                pictures: &mut self.pictures,
             };
             into.read(&path, &bytes, &mut self.notes)?;
         }
