@@ -180,8 +180,7 @@ impl Job {
 
         if let (Some(seen), Some(shown)) = (&mut self.seen, self.frame.shown_mut()) {
             seen.assemble(&done.iter().filter_map(|piece| piece.glimpse.as_ref()).collect::<Vec<_>>());
-            let interleave = self.settings.interleave;
-            let further = filter::show(&self.world, &self.eye, &sampling, seen, interleave, shown);
+            let further = filter::show(&self.world, &self.eye, &self.settings, &sampling, seen, shown);
             self.statistics.rays.eye += further;
         }
         let replicate = batch.index % self.settings.replicates;

@@ -10,20 +10,21 @@ use crate::sequence;
 use crate::world::World;
 use glam::Vec3;
 
-/// Further rays for a pixel at an edge: with its first they make a lattice of five.
-const FURTHER: u32 = 4;
-
-/// Looks again at the pixels of row `y` where surfaces meet, and makes what they show the mean of all looks. `row` already
-/// holds their first. Returns the rays it took.
+/// Looks `further` times again at the pixels of row `y` where surfaces meet, and makes what they show the mean of all
+/// looks, which with the first make a lattice. `row` already holds their first. Returns the rays it took.
 pub(super) fn refine(
     world: &World,
     eye: &Eye,
+    further: u32,
     sampling: &Sampling,
     seen: &Seen,
     smooth: &Smooth,
     y: u32,
     row: &mut [Rgb],
 ) -> u64 {
+    if further == 0 {
+        return 0;
+    }
     let columns: Vec<u32> = (0..seen.width).filter(|x| smooth.edge[seen.index(*x, y)] > 0.0).collect();
     if columns.is_empty() {
         return 0;
@@ -36,8 +37,8 @@ pub(super) fn refine(
     let mut tile = Tile { rect, packets: packets.collect(), rays: 0 };
     let mut found = vec![(Rgb::BLACK, 0.0); seen.width as usize];
     let mut rays = 0;
-    for look in 1..=FURTHER {
-        let shift = |by: u32| (by * look) as f32 / (FURTHER + 1) as f32;
+    for look in 1..=further {
+        let shift = |by: u32| (by * look) as f32 / (further + 1) as f32;
         let [u, v] = sampling.offset;
         let offset = [(u + shift(1)).fract(), (v + shift(2)).fract()];
         let seed = sequence::hash(sampling.seed, look);

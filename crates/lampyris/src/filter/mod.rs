@@ -18,30 +18,31 @@ pub use seen::{Glimpse, Seen};
 use crate::color::Rgb;
 use crate::eye::{Eye, LANES, Sampling};
 use crate::geometry::{Kernel, Wide};
+use crate::settings::Settings;
 use crate::world::World;
 use rayon::prelude::*;
 use seen::{ALIKE, EMISSION, LIT, NORMAL, POSITION, REST, SLACK, TINT, load};
 
-/// Adds what a batch shows to `shown`, row by row of the picture: the light of `seen` filtered over boxes of n × m, with
-/// further eye rays where surfaces meet.
+/// Adds what a batch shows to `shown`, row by row of the picture: the light of `seen` filtered over boxes as wide as the
+/// interleaving, with the settings' further eye rays where surfaces meet.
 ///
 /// Returns the eye rays it took.
 pub fn show(
     world: &World,
     eye: &Eye,
+    settings: &Settings,
     sampling: &Sampling,
     seen: &Seen,
-    interleave: [u32; 2],
     shown: &mut [Rgb],
 ) -> u64 {
-    let smooth = Smooth::new(world.tracer().kernel(), seen, interleave);
+    let smooth = Smooth::new(world.tracer().kernel(), seen, settings.interleave);
     let width = seen.width as usize;
     let rows = shown.par_chunks_mut(width).enumerate();
     rows.map(|(y, row)| {
         for (x, pixel) in row.iter_mut().enumerate() {
             *pixel += smooth.shown(seen, seen.index(x as u32, y as u32));
         }
-        edges::refine(world, eye, sampling, seen, &smooth, y as u32, row)
+        edges::refine(world, eye, settings.edges, sampling, seen, &smooth, y as u32, row)
     })
     .sum()
 }
