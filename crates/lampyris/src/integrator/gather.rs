@@ -7,7 +7,7 @@ use super::Pass;
 use super::pick::{Open, pick, pick_for_point};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
-use crate::geometry::{Kernel, Ray, Wide, lanes};
+use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes};
 use crate::light::Shine;
 use crate::material::Class;
 use crate::particle::Vpl;
@@ -136,8 +136,13 @@ pub(super) fn some_of<'a, 'w>(
 
 /// Adds what every point of a tile receives from a list of lights.
 pub(super) fn tile(pass: &Pass<'_>, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
+    let mut occluders = vec![Occluder::default(); lights.len()];
     for p in tile.packets.iter().filter(|p| p.live != 0) {
-        add(p, &packet(pass.world, p, lights, rays), out);
+        let mut gathered = Gathered::new(p);
+        for (light, occluder) in lights.iter().zip(&mut occluders) {
+            gathered.add(pass.world, light, 1.0, occluder, rays);
+        }
+        add(p, &gathered.radiance(), out);
     }
 }
 
@@ -151,7 +156,7 @@ pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Rgb], ra
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
         pick(world.tracer().kernel(), p, (pass.beacons, Open), most, u, |k, factor| {
-            gathered.add(world, &pass.vpls[k], factor, rays);
+            gathered.add(world, &pass.vpls[k], factor, &mut Occluder::default(), rays);
         });
         add(p, &gathered.radiance(), out);
     }
@@ -188,7 +193,7 @@ impl<'p, 'w> Points<'p, 'w> {
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
-    lights.iter().for_each(|light| gathered.add(world, light, 1.0, rays));
+    lights.iter().for_each(|light| gathered.add(world, light, 1.0, &mut Occluder::default(), rays));
     gathered.radiance()
 }
 
@@ -209,14 +214,21 @@ impl<'p, 'w> Gathered<'p, 'w> {
     }
 
     /// Adds `factor` times the light of one light.
-    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, rays: &mut u64) {
+    fn add(
+        &mut self,
+        world: &World,
+        light: &Vpl<'_>,
+        factor: f32,
+        occluder: &mut Occluder,
+        rays: &mut u64,
+    ) {
         let p = self.packet;
         let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
         let kernel = world.tracer().kernel();
         let (g, lit) = geometry_terms(kernel, light, p, together);
         if lit != 0 {
             *rays += u64::from(lit.count_ones());
-            let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
+            let seen = lit & !world.tracer().occluded16_cached(light.position, &p.position, lit, occluder);
             let plain = if light.gloss.is_none() { p.lambertian } else { 0 };
             let intensity = light.intensity * factor;
             kernel.run(Sum { into: &mut self.irradiance, intensity, g: &g, of: seen & plain });
