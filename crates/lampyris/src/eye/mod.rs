@@ -157,15 +157,19 @@ impl Eye {
 
     /// Sends the eye paths of one pass through a tile.
     pub fn look(&self, sampling: &Sampling, tile: &mut Tile<'_>) {
+        let samplings = [sampling; LANES];
+        tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
+    }
+
+    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
+    pub fn look_by(&self, samplings: &[&Sampling; LANES], packet: &mut Packet<'_>) -> u64 {
         let mut rays = Rays::default();
-        for packet in &mut tile.packets {
-            packet.start(self, sampling);
-            match self {
-                Eye::Camera(view) => packet.look_through(view, sampling.offset, &mut rays),
-                Eye::Meters(meters) => packet.lay_out(meters),
-            }
+        packet.start(self, samplings);
+        match self {
+            Eye::Camera(view) => packet.look_through(view, samplings, &mut rays),
+            Eye::Meters(meters) => packet.lay_out(meters),
         }
-        tile.rays = rays.eye;
+        rays.eye
     }
 }
 

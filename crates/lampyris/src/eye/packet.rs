@@ -151,13 +151,13 @@ impl<'w> Packet<'w> {
     }
 
     /// Forgets the paths of an earlier pass and draws new numbers.
-    pub(super) fn start(&mut self, eye: &Eye, sampling: &Sampling) {
+    pub(super) fn start(&mut self, eye: &Eye, samplings: &[&Sampling; LANES]) {
         (self.live, self.lambertian, self.opaque) = (0, 0, 0);
         self.emission = [Rgb::BLACK; LANES];
         self.throughput = [Rgb::WHITE; LANES];
         let [x, y] = &self.place;
         for (k, numbers) in self.numbers.iter_mut().enumerate() {
-            *numbers = eye.numbers(x[k], y[k], sampling);
+            *numbers = eye.numbers(x[k], y[k], samplings[k]);
         }
     }
 
@@ -173,12 +173,18 @@ impl<'w> Packet<'w> {
     }
 
     /// Camera rays share their origin: they are traced as a packet, what follows a sharp lobe one by one.
-    pub(super) fn look_through(&mut self, view: &View, offset: [f32; 2], rays: &mut Rays) {
+    pub(super) fn look_through(
+        &mut self,
+        view: &View,
+        samplings: &[&Sampling; LANES],
+        rays: &mut Rays,
+    ) {
         let world = self.world;
         let inside = self.lanes().fold(0u16, |mask, k| mask | 1 << k);
         rays.eye += u64::from(inside.count_ones());
-        let x = self.place[0].map(|x| x as f32 + offset[0]);
-        let y = self.place[1].map(|y| y as f32 + offset[1]);
+        let [x, y] = [0, 1].map(|axis| -> [f32; LANES] {
+            std::array::from_fn(|k| self.place[axis][k] as f32 + samplings[k].offset[axis])
+        });
         let directions = view.directions(&x, &y);
         let hits = world.tracer().closest16(view.eye(), &directions, inside);
 

@@ -20,6 +20,7 @@ use crate::eye::{Eye, LANES, Sampling};
 use crate::geometry::{Kernel, Wide};
 use crate::settings::Settings;
 use crate::world::World;
+use edges::Again;
 use rayon::prelude::*;
 use seen::{ALIKE, EMISSION, LIT, NORMAL, POSITION, REST, SLACK, TINT, load};
 
@@ -36,13 +37,14 @@ pub fn show(
     shown: &mut [Rgb],
 ) -> u64 {
     let smooth = Smooth::new(world.tracer().kernel(), seen, settings.interleave);
+    let again = Again::new((world, eye), sampling, settings.edges, (seen, &smooth));
     let width = seen.width as usize;
     let rows = shown.par_chunks_mut(width).enumerate();
     rows.map(|(y, row)| {
         for (x, pixel) in row.iter_mut().enumerate() {
             *pixel += smooth.shown(seen, seen.index(x as u32, y as u32));
         }
-        edges::refine(world, eye, settings.edges, sampling, seen, &smooth, y as u32, row)
+        again.refine(y as u32, row)
     })
     .sum()
 }

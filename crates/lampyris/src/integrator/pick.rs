@@ -6,7 +6,7 @@
 //! variance where what is given is in proportion to it.
 
 use crate::eye::{LANES, Packet};
-use crate::geometry::{Kernel, Wide, lane};
+use crate::geometry::{Kernel, Wide, lane, sum_of_lanes};
 use crate::particle::Beacon;
 use crate::world::Mirror;
 use glam::Vec3;
@@ -195,9 +195,7 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
                 let may_show = self.window.may_show(self.places, k, place);
                 terms[k] = if may_show { term * live[k] } else { 0.0 };
             }
-            let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
-            let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
-            *weight = ((four[0] + four[2]) + (four[1] + four[3])) * beacon.weight;
+            *weight = sum_of_lanes(&terms) * beacon.weight;
             total += *weight;
         }
         total
