@@ -6,6 +6,7 @@ use super::follow::{Ended, Next, follow, next};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
+use crate::material::Glossy;
 use crate::scene::View;
 use crate::sequence;
 use crate::settings::Rays;
@@ -49,6 +50,8 @@ pub struct Packet<'w> {
     pub live: u16,
     /// Of these, lanes with a Lambertian reflector: no BSDF need be evaluated.
     pub lambertian: u16,
+    /// Of these, lanes with a lobe over a Lambertian reflector.
+    pub glossy: u16,
     /// Of these, lanes that no light reaches through the surface: lit from the side of the eye alone.
     pub opaque: u16,
     /// Off the surface on the side of the eye [m], x y z.
@@ -59,6 +62,8 @@ pub struct Packet<'w> {
     pub geometric: Vectors,
     /// ρ of the Lambertian lanes; of others the albedo of the dull lobes at normal incidence.
     pub reflectance: [Rgb; LANES],
+    /// What the glossy lanes reflect.
+    pub gloss: [Glossy; LANES],
     /// What each vertex' radiance is multiplied by on its way to the eye.
     pub throughput: [Rgb; LANES],
     /// What glowed along the path [cd/m²].
@@ -90,11 +95,13 @@ impl<'w> Packet<'w> {
             place: [std::array::from_fn(|k| inside(k).0), std::array::from_fn(|k| inside(k).1)],
             live: 0,
             lambertian: 0,
+            glossy: 0,
             opaque: 0,
             position: [[0.0; LANES]; 3],
             shading: [[0.0; LANES]; 3],
             geometric: [[0.0; LANES]; 3],
             reflectance: [Rgb::BLACK; LANES],
+            gloss: [Glossy { base: Rgb::BLACK, specular: Rgb::BLACK, alpha: 1.0 }; LANES],
             throughput: [Rgb::WHITE; LANES],
             emission: [Rgb::BLACK; LANES],
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
@@ -122,6 +129,14 @@ impl<'w> Packet<'w> {
             },
         };
         Some(Visible { surface, throughput: self.throughput[k] })
+    }
+
+    /// Unit direction from the vertex of a live lane along the path to the eye.
+    pub fn toward_eye(&self, k: usize) -> Vec3 {
+        match &self.ends {
+            Ends::Nowhere | Ends::Meters => lane(&self.geometric, k),
+            Ends::Camera { directions, last, .. } => -last[k].map_or_else(|| lane(directions, k), |(d, _)| d),
+        }
     }
 
     /// The first surface on a lane's camera ray, for the auxiliary planes.
@@ -152,7 +167,7 @@ impl<'w> Packet<'w> {
 
     /// Forgets the paths of an earlier pass and draws new numbers.
     pub(super) fn start(&mut self, eye: &Eye, samplings: &[&Sampling; LANES]) {
-        (self.live, self.lambertian, self.opaque) = (0, 0, 0);
+        (self.live, self.lambertian, self.glossy, self.opaque) = (0, 0, 0, 0);
         self.emission = [Rgb::BLACK; LANES];
         self.throughput = [Rgb::WHITE; LANES];
         let [x, y] = &self.place;
@@ -239,6 +254,12 @@ impl<'w> Packet<'w> {
         self.live |= 1 << k;
         self.reflectance[k] = finish.lambertian.unwrap_or(finish.dull);
         self.lambertian |= u16::from(finish.lambertian.is_some()) << k;
+        if finish.lambertian.is_none()
+            && let Some(gloss) = finish.bsdf.glossy()
+        {
+            self.glossy |= 1 << k;
+            self.gloss[k] = gloss;
+        }
         self.opaque |= u16::from(!finish.transmits) << k;
     }
 }

@@ -4,12 +4,13 @@
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
 use super::Pass;
+use super::gloss::{GlossyPoints, Law, Shed, Three};
 use super::pick::{Open, pick, pick_for_point};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes};
 use crate::light::Shine;
-use crate::material::Class;
+use crate::material::{Class, Glossy};
 use crate::particle::Vpl;
 use crate::sequence::ledger::eye as ledger;
 use crate::world::{Surface, World};
@@ -201,16 +202,25 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
 struct Gathered<'p, 'w> {
     packet: &'p Packet<'w>,
     points: Points<'p, 'w>,
-    /// Of the Lambertian ones, by colour and lane.
-    irradiance: [[f32; LANES]; 3],
+    gloss: GlossyPoints,
+    /// Of the Lambertian ones and those with a lobe over that, by colour and lane.
+    irradiance: Three,
+    /// What the lobes make of it, for ρ_s = 1.
+    lobes: Three,
     /// Of the others.
     radiance: [Rgb; LANES],
 }
 
 impl<'p, 'w> Gathered<'p, 'w> {
     fn new(packet: &'p Packet<'w>) -> Gathered<'p, 'w> {
-        let radiance = [Rgb::BLACK; LANES];
-        Gathered { packet, points: Points::new(packet), irradiance: [[0.0; LANES]; 3], radiance }
+        Gathered {
+            packet,
+            points: Points::new(packet),
+            gloss: GlossyPoints::new(packet),
+            irradiance: [[0.0; LANES]; 3],
+            lobes: [[0.0; LANES]; 3],
+            radiance: [Rgb::BLACK; LANES],
+        }
     }
 
     /// Adds `factor` times the light of one light.
@@ -229,10 +239,25 @@ impl<'p, 'w> Gathered<'p, 'w> {
         if lit != 0 {
             *rays += u64::from(lit.count_ones());
             let seen = lit & !world.tracer().occluded16_cached(light.position, &p.position, lit, occluder);
-            let plain = if light.gloss.is_none() { p.lambertian } else { 0 };
-            let intensity = light.intensity * factor;
-            kernel.run(Sum { into: &mut self.irradiance, intensity, g: &g, of: seen & plain });
-            for k in lanes(seen & !plain) {
+            let law = Law::new(light, factor);
+            let of = if law.is_some() { seen & (p.lambertian | self.gloss.of) } else { 0 };
+            match &law {
+                Some(law) if law.has_lobe() || of & self.gloss.of != 0 => kernel.run(Shed {
+                    plain: &mut self.irradiance,
+                    glossy: &mut self.lobes,
+                    packet: p,
+                    points: &self.gloss,
+                    light: light.position,
+                    law,
+                    g: &g,
+                    of,
+                }),
+                Some(law) => {
+                    kernel.run(Sum { into: &mut self.irradiance, intensity: law.even, g: &g, of });
+                }
+                None => {}
+            }
+            for k in lanes(seen & !of) {
                 if let Some(x) = self.points.get(k) {
                     self.radiance[k] += reflected(&x.surface, light, g[k]) * factor;
                 }
@@ -247,9 +272,13 @@ impl<'p, 'w> Gathered<'p, 'w> {
 
     fn radiance(self) -> [Rgb; LANES] {
         let (p, mut radiance) = (self.packet, self.radiance);
-        let [r, g, b] = &self.irradiance;
+        let of = |[r, g, b]: &Three, k: usize| Rgb::new(r[k], g[k], b[k]);
         for k in lanes(p.lambertian) {
-            radiance[k] += p.reflectance[k] * Rgb::new(r[k], g[k], b[k]) * FRAC_1_PI;
+            radiance[k] += p.reflectance[k] * of(&self.irradiance, k) * FRAC_1_PI;
+        }
+        for k in lanes(self.gloss.of) {
+            let Glossy { base, specular, .. } = p.gloss[k];
+            radiance[k] += base * of(&self.irradiance, k) * FRAC_1_PI + specular * of(&self.lobes, k);
         }
         radiance
     }
