@@ -148,9 +148,10 @@ impl Eye {
         classes
             .map(|(cx, cy)| {
                 let rows = blocks(cy, rect.height, bh * m);
-                let packets =
-                    rows.flat_map(|top| blocks(cx, rect.width, bw * n).map(move |left| (left, top)));
-                Tile { rect, packets: packets.map(|(left, top)| packet(left, top)).collect(), rays: 0 }
+                let columns = blocks(cx, rect.width, bw * n);
+                let mut packets = Vec::with_capacity(rows.len() * columns.len());
+                packets.extend(rows.flat_map(|y| columns.clone().map(move |x| packet(x, y))));
+                Tile { rect, packets, rays: 0 }
             })
             .collect()
     }

@@ -206,13 +206,14 @@ impl<'w> Packet<'w> {
         let (mut plain, mut winding) = (0u16, inside);
         if !world.has_lamps() {
             winding = if world.has_environment() { inside } else { hits.hit };
+            // Neighbours often meet the same triangle.
+            let (mut last, mut known) = ((u32::MAX, u32::MAX), None);
             for k in lanes(hits.hit) {
-                let finish = world.finish(hits.instance[k], hits.triangle[k]);
-                // A body of glass may have absorbed some of the light on its way here.
-                let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
-                if odd || !world.all_flat(hits.instance[k]) {
-                    continue;
+                if last != (hits.instance[k], hits.triangle[k]) {
+                    last = (hits.instance[k], hits.triangle[k]);
+                    known = plain_finish(world, last);
                 }
+                let Some(finish) = known else { continue };
                 if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {
                     plain |= 1 << k;
                     self.throughput[k] = Rgb::grey(weight);
@@ -262,4 +263,12 @@ impl<'w> Packet<'w> {
         }
         self.opaque |= u16::from(!finish.transmits) << k;
     }
+}
+
+/// What a triangle is made of if nothing but that is to be known of it.
+fn plain_finish(world: &World, (instance, triangle): (u32, u32)) -> Option<&Finish> {
+    let finish = world.finish(instance, triangle);
+    // A body of glass may have absorbed some of the light on its way here.
+    let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
+    (!odd && world.all_flat(instance)).then_some(finish)
 }
