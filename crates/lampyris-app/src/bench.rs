@@ -247,6 +247,7 @@ pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
         light_points: Some(CLASSES * workload.light_points),
         longest: workload.longest,
         filter: true,
+        edges: 0,
         ..Settings::default()
     };
     let plan = Plan::new(world, &settings);

@@ -29,6 +29,7 @@ impl Default for Settings {
             photons: 1 << 15,
             seed: 0,
             filter: false,
+            edges: 4,
             auxiliary: false,
         }
     }
@@ -65,6 +66,9 @@ impl Settings {
         }
         if self.filter && self.eye_passes() != 1 {
             return bad("to be filtered, a batch must have one eye pass");
+        }
+        if self.edges > 64 {
+            return bad("further eye rays at edges must be at most 64");
         }
         if self.light_points == Some(0) || self.picks == Some(0) {
             return bad("light points and picked virtual lights must be at least 1");

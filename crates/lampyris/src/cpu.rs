@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Least edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
-const TILE: u32 = 16;
+const TILE: u32 = 48;
 
 /// How far from each other's tangent plane the vertices of neighbouring pixels may lie and still be of one surface
 /// [edges of a pixel].
@@ -246,7 +246,7 @@ impl Job {
             world: &self.world,
             eye: &self.eye,
             sampling,
-            interleave: self.settings.interleave,
+            settings: &self.settings,
             layer_of: &layer_of,
         };
         for band in bands(&rects) {

@@ -39,6 +39,8 @@ pub struct Settings {
     pub seed: u32,
     /// Also keep what is to be shown: each batch averaged between neighbours, see [`crate::filter`].
     pub filter: bool,
+    /// Further eye rays, for what is to be shown, in each pixel where surfaces meet.
+    pub edges: u32,
     /// Also average albedo, normal, depth and object number of what the eye meets first.
     pub auxiliary: bool,
 }

@@ -46,8 +46,11 @@ pub(super) fn next(finish: &Finish, numbers: Numbers, vertex: u32) -> Next {
     if sharp + dull <= 0.0 {
         return Next::Lost;
     }
+    if sharp == 0.0 {
+        return Next::Ends(1.0);
+    }
     let go_on = sharp / (sharp + dull);
-    if go_on == 0.0 || numbers.one(ledger::class(vertex)) >= go_on {
+    if numbers.one(ledger::class(vertex)) >= go_on {
         Next::Ends(1.0 / (1.0 - go_on))
     } else {
         Next::GoesOn(1.0 / go_on)

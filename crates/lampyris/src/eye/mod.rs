@@ -148,24 +148,29 @@ impl Eye {
         classes
             .map(|(cx, cy)| {
                 let rows = blocks(cy, rect.height, bh * m);
-                let packets =
-                    rows.flat_map(|top| blocks(cx, rect.width, bw * n).map(move |left| (left, top)));
-                Tile { rect, packets: packets.map(|(left, top)| packet(left, top)).collect(), rays: 0 }
+                let columns = blocks(cx, rect.width, bw * n);
+                let mut packets = Vec::with_capacity(rows.len() * columns.len());
+                packets.extend(rows.flat_map(|y| columns.clone().map(move |x| packet(x, y))));
+                Tile { rect, packets, rays: 0 }
             })
             .collect()
     }
 
     /// Sends the eye paths of one pass through a tile.
     pub fn look(&self, sampling: &Sampling, tile: &mut Tile<'_>) {
+        let samplings = [sampling; LANES];
+        tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
+    }
+
+    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
+    pub fn look_by(&self, samplings: &[&Sampling; LANES], packet: &mut Packet<'_>) -> u64 {
         let mut rays = Rays::default();
-        for packet in &mut tile.packets {
-            packet.start(self, sampling);
-            match self {
-                Eye::Camera(view) => packet.look_through(view, sampling.offset, &mut rays),
-                Eye::Meters(meters) => packet.lay_out(meters),
-            }
+        packet.start(self, samplings);
+        match self {
+            Eye::Camera(view) => packet.look_through(view, samplings, &mut rays),
+            Eye::Meters(meters) => packet.lay_out(meters),
         }
-        tile.rays = rays.eye;
+        rays.eye
     }
 }
 

@@ -6,6 +6,7 @@ use super::follow::{Ended, Next, follow, next};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
+use crate::material::Glossy;
 use crate::scene::View;
 use crate::sequence;
 use crate::settings::Rays;
@@ -60,6 +61,8 @@ pub struct Packet<'w> {
     pub live: u16,
     /// Of these, lanes with a Lambertian reflector: no BSDF need be evaluated.
     pub lambertian: u16,
+    /// Of these, lanes with a lobe over a Lambertian reflector.
+    pub glossy: u16,
     /// Of these, lanes that no light reaches through the surface: lit from the side of the eye alone.
     pub opaque: u16,
     /// Off the surface on the side of the eye [m], x y z.
@@ -70,6 +73,8 @@ pub struct Packet<'w> {
     pub geometric: Vectors,
     /// ρ of the Lambertian lanes; of others the albedo of the dull lobes at normal incidence.
     pub reflectance: [Rgb; LANES],
+    /// What the glossy lanes reflect.
+    pub gloss: [Glossy; LANES],
     /// What each vertex' radiance is multiplied by on its way to the eye.
     pub throughput: [Rgb; LANES],
     /// What glowed along the paths.
@@ -101,11 +106,13 @@ impl<'w> Packet<'w> {
             place: [std::array::from_fn(|k| inside(k).0), std::array::from_fn(|k| inside(k).1)],
             live: 0,
             lambertian: 0,
+            glossy: 0,
             opaque: 0,
             position: [[0.0; LANES]; 3],
             shading: [[0.0; LANES]; 3],
             geometric: [[0.0; LANES]; 3],
             reflectance: [Rgb::BLACK; LANES],
+            gloss: [Glossy { base: Rgb::BLACK, specular: Rgb::BLACK, alpha: 1.0 }; LANES],
             throughput: [Rgb::WHITE; LANES],
             gleams: Vec::new(),
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
@@ -135,6 +142,14 @@ impl<'w> Packet<'w> {
         Some(Visible { surface, throughput: self.throughput[k] })
     }
 
+    /// Unit direction from the vertex of a live lane along the path to the eye.
+    pub fn toward_eye(&self, k: usize) -> Vec3 {
+        match &self.ends {
+            Ends::Nowhere | Ends::Meters => lane(&self.geometric, k),
+            Ends::Camera { directions, last, .. } => -last[k].map_or_else(|| lane(directions, k), |(d, _)| d),
+        }
+    }
+
     /// The first surface on a lane's camera ray, for the auxiliary planes.
     pub fn first(&self, k: usize) -> Option<First> {
         let Ends::Camera { directions, hits, .. } = &self.ends else { return None };
@@ -162,13 +177,13 @@ impl<'w> Packet<'w> {
     }
 
     /// Forgets the paths of an earlier pass and draws new numbers.
-    pub(super) fn start(&mut self, eye: &Eye, sampling: &Sampling) {
-        (self.live, self.lambertian, self.opaque) = (0, 0, 0);
+    pub(super) fn start(&mut self, eye: &Eye, samplings: &[&Sampling; LANES]) {
+        (self.live, self.lambertian, self.glossy, self.opaque) = (0, 0, 0, 0);
         self.gleams.clear();
         self.throughput = [Rgb::WHITE; LANES];
         let [x, y] = &self.place;
         for (k, numbers) in self.numbers.iter_mut().enumerate() {
-            *numbers = eye.numbers(x[k], y[k], sampling);
+            *numbers = eye.numbers(x[k], y[k], samplings[k]);
         }
     }
 
@@ -184,25 +199,27 @@ impl<'w> Packet<'w> {
     }
 
     /// Camera rays share their origin: they are traced as a packet, what follows a sharp lobe one by one.
-    pub(super) fn look_through(&mut self, view: &View, offset: [f32; 2], rays: &mut Rays) {
+    pub(super) fn look_through(&mut self, view: &View, samplings: &[&Sampling; LANES], rays: &mut Rays) {
         let world = self.world;
         let inside = self.lanes().fold(0u16, |mask, k| mask | 1 << k);
         rays.eye += u64::from(inside.count_ones());
-        let x = self.place[0].map(|x| x as f32 + offset[0]);
-        let y = self.place[1].map(|y| y as f32 + offset[1]);
+        let [x, y] = [0, 1].map(|axis| -> [f32; LANES] {
+            std::array::from_fn(|k| self.place[axis][k] as f32 + samplings[k].offset[axis])
+        });
         let directions = view.directions(&x, &y);
         let hits = world.tracer().closest16(view.eye(), &directions, inside);
 
         let (mut plain, mut winding) = (0u16, inside);
         if !world.has_lamps() {
             winding = if world.has_environment() { inside } else { hits.hit };
+            // Neighbours often meet the same triangle.
+            let (mut last, mut known) = ((u32::MAX, u32::MAX), None);
             for k in lanes(hits.hit) {
-                let finish = world.finish(hits.instance[k], hits.triangle[k]);
-                // A body of glass may have absorbed some of the light on its way here.
-                let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
-                if odd || !world.all_flat(hits.instance[k]) {
-                    continue;
+                if last != (hits.instance[k], hits.triangle[k]) {
+                    last = (hits.instance[k], hits.triangle[k]);
+                    known = plain_finish(world, last);
                 }
+                let Some(finish) = known else { continue };
                 if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {
                     plain |= 1 << k;
                     self.throughput[k] = Rgb::grey(weight);
@@ -249,6 +266,20 @@ impl<'w> Packet<'w> {
         self.live |= 1 << k;
         self.reflectance[k] = finish.lambertian.unwrap_or(finish.dull);
         self.lambertian |= u16::from(finish.lambertian.is_some()) << k;
+        if finish.lambertian.is_none()
+            && let Some(gloss) = finish.bsdf.glossy()
+        {
+            self.glossy |= 1 << k;
+            self.gloss[k] = gloss;
+        }
         self.opaque |= u16::from(!finish.transmits) << k;
     }
+}
+
+/// What a triangle is made of if nothing but that is to be known of it.
+fn plain_finish(world: &World, (instance, triangle): (u32, u32)) -> Option<&Finish> {
+    let finish = world.finish(instance, triangle);
+    // A body of glass may have absorbed some of the light on its way here.
+    let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
+    (!odd && world.all_flat(instance)).then_some(finish)
 }

@@ -18,7 +18,9 @@ pub use seen::{Glimpse, Seen};
 use crate::color::Rgb;
 use crate::eye::{Eye, LANES, Sampling};
 use crate::geometry::{Kernel, Wide};
+use crate::settings::Settings;
 use crate::world::World;
+use edges::Again;
 use rayon::prelude::*;
 use seen::{ALIKE, MARGIN, NORMAL, POSITION, SLACK, TINT, emission, lit, load, rest};
 use std::ops::Range;
@@ -31,8 +33,8 @@ pub struct Filter<'a> {
     pub eye: &'a Eye,
     /// The batch's sample of each pixel.
     pub sampling: Sampling,
-    /// n × m.
-    pub interleave: [u32; 2],
+    /// The interleaving, and how many further eye rays there are at edges.
+    pub settings: &'a Settings,
     /// Of each emitter the layer that it belongs to, if what glows along eye paths is asked for.
     pub layer_of: &'a (dyn Fn(u32) -> Option<usize> + Sync),
 }
@@ -51,7 +53,7 @@ impl Filter<'_> {
     ) -> u64 {
         let rows = seen.append(band, glimpses);
         let seen = &*seen;
-        let smooth = Smooth::new(self.world.tracer().kernel(), seen, rows.clone(), self.interleave);
+        let smooth = Smooth::new(self.world.tracer().kernel(), seen, rows.clone(), self.settings.interleave);
         let width = seen.width as usize;
         let mut planes: Vec<_> = shown
             .iter_mut()
@@ -59,11 +61,12 @@ impl Filter<'_> {
             .collect();
         let by_row: Vec<(u32, Vec<&mut [Rgb]>)> =
             rows.map(|y| (y, planes.iter_mut().filter_map(Iterator::next).collect())).collect();
+        let again = Again::new(self, seen, &smooth);
         let done = by_row.into_par_iter().map(|(y, mut row)| {
             for (layer, row) in row.iter_mut().enumerate() {
                 (0..).zip(row.iter_mut()).for_each(|(x, pixel)| *pixel += smooth.shown(seen, layer, x, y));
             }
-            edges::refine(self, seen, &smooth, y, &mut row)
+            again.refine(y, &mut row)
         });
         done.sum()
     }
@@ -104,6 +107,12 @@ impl Smooth {
     fn at(&self, layer: usize, x: u32, y: u32) -> Rgb {
         let channel = |c: usize| self.values[self.row(3 * layer + c, y) + x as usize];
         Rgb::new(channel(0), channel(1), channel(2))
+    }
+
+    /// A pixel of a plane between its neighbours.
+    fn three(&self, plane: usize, x: u32, y: u32) -> &[f32] {
+        let at = self.row(plane, y) + x as usize;
+        &self.values[at - 1..at + 2]
     }
 
     /// Whether surfaces meet at a pixel.

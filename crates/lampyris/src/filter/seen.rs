@@ -161,11 +161,6 @@ impl Seen {
         Rgb::new(self.planes[first][at], self.planes[first + 1][at], self.planes[first + 2][at])
     }
 
-    /// Three planes at a place.
-    pub(super) fn vector(&self, first: usize, at: usize) -> Vec3 {
-        Vec3::new(self.planes[first][at], self.planes[first + 1][at], self.planes[first + 2][at])
-    }
-
     /// Where in a plane a pixel of the band lies, or one of the rows kept or missing around it.
     pub(super) fn index(&self, x: u32, y: u32) -> usize {
         (y + KEPT - self.band.start) as usize * self.stride() + MARGIN + x as usize

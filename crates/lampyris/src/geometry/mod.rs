@@ -19,5 +19,6 @@ pub use packet::{Hits16, LANES, Occluder};
 pub(crate) use packet::{lane, lanes};
 pub use ray::{Hit, Ray};
 pub use screen::Screen;
+pub(crate) use simd_dispatch::sum_of_lanes;
 pub use simd_dispatch::{Wide, positive};
 pub use tracer::{MeshGeometry, Placement, Report, Tracer};

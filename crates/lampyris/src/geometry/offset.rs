@@ -35,7 +35,7 @@ impl SurfacePoint {
 }
 
 /// `p + shift`, rounded on in the direction of the shift; without branches, for many points at once.
-#[inline]
+#[inline(always)]
 pub(crate) fn away(p: f32, shift: f32) -> f32 {
     let moved = p + shift;
     let outward = (shift > 0.0) == (moved > 0.0);

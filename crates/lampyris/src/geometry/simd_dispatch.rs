@@ -35,6 +35,14 @@ impl Kernel {
     }
 }
 
+/// The sum over all lanes, in halves: an order that vectors keep.
+#[inline(always)]
+pub(crate) fn sum_of_lanes(values: &[f32; LANES]) -> f32 {
+    let eight: [f32; 8] = std::array::from_fn(|k| values[k] + values[k + 8]);
+    let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
+    (four[0] + four[2]) + (four[1] + four[3])
+}
+
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi1,popcnt")]
 fn avx2<W: Wide>(work: W) -> W::Out {

@@ -3,13 +3,14 @@
 //! `from_light` is the clear version for one point and one light; `packet` does the same for sixteen points at once,
 //! with shadow rays started at the light, and is tested against it. What clamping takes is paid back elsewhere.
 
+use super::gloss::{GlossyPoints, Law, Shed, Three};
 use super::pick::{Open, pick, pick_for_point};
 use super::{Lights, Pass};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
-use crate::geometry::{Kernel, Ray, Wide, lanes};
+use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes};
 use crate::light::Shine;
-use crate::material::Class;
+use crate::material::{Class, Glossy};
 use crate::particle::Vpl;
 use crate::sequence::ledger::eye as ledger;
 use crate::world::{Surface, World};
@@ -141,29 +142,41 @@ pub(super) fn some_of<'a, 'w>(
 
 /// Adds what every point of a tile receives from the light points of a pass.
 pub(super) fn tile_of_points(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
+    for (lights, out) in pass.zip(out) {
+        self::tile(pass.world, tile, lights.points, out, rays);
+    }
+}
+
+/// Adds what every point of a tile receives from a list of lights.
+fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
+    if lights.is_empty() {
+        return;
+    }
+    let mut occluders = vec![Occluder::default(); lights.len()];
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
-        for (lights, out) in pass.zip(out) {
-            lights.points.iter().for_each(|light| gathered.add(pass.world, light, 1.0, rays));
-            add(p, &gathered.take(), out);
+        for (light, occluder) in lights.iter().zip(&mut occluders) {
+            gathered.add(world, light, 1.0, occluder, rays);
         }
+        add(p, &gathered.take(), out);
     }
 }
 
 /// Adds what every point of a tile receives from the virtual lights of a pass, as many of them as settings allow.
 pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
-    let world = pass.world;
+    let (world, kernel) = (pass.world, pass.world.tracer().kernel());
+    let picking = |lights: &Lights<'_>| lights.picks(pass.settings);
+    for (lights, out) in pass.zip(out).filter(|(lights, _)| picking(lights).is_none()) {
+        self::tile(world, tile, lights.vpls, out, rays);
+    }
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
         for (lights, out) in pass.zip(out) {
-            let mut each = |k: usize, factor| gathered.add(world, &lights.vpls[k], factor, rays);
-            match lights.picks(pass.settings) {
-                None => (0..lights.vpls.len()).for_each(|k| each(k, 1.0)),
-                Some(most) => {
-                    pick(world.tracer().kernel(), p, (lights.beacons, Open), most, lights.turned(u), each);
-                }
-            }
+            let Some(most) = picking(lights) else { continue };
+            pick(kernel, p, (lights.beacons, Open), most, lights.turned(u), |k, factor| {
+                gathered.add(world, &lights.vpls[k], factor, &mut Occluder::default(), rays);
+            });
             add(p, &gathered.take(), out);
         }
     }
@@ -200,7 +213,7 @@ impl<'p, 'w> Points<'p, 'w> {
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
-    lights.iter().for_each(|light| gathered.add(world, light, 1.0, rays));
+    lights.iter().for_each(|light| gathered.add(world, light, 1.0, &mut Occluder::default(), rays));
     gathered.take()
 }
 
@@ -208,31 +221,55 @@ pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64)
 struct Gathered<'p, 'w> {
     packet: &'p Packet<'w>,
     points: Points<'p, 'w>,
-    /// Of the Lambertian ones, by colour and lane.
-    irradiance: [[f32; LANES]; 3],
+    gloss: GlossyPoints,
+    /// Of the Lambertian ones and those with a lobe over that, by colour and lane.
+    irradiance: Three,
+    /// What the lobes make of it, for ρ_s = 1.
+    lobes: Three,
     /// Of the others.
     radiance: [Rgb; LANES],
 }
 
 impl<'p, 'w> Gathered<'p, 'w> {
     fn new(packet: &'p Packet<'w>) -> Gathered<'p, 'w> {
-        let radiance = [Rgb::BLACK; LANES];
-        Gathered { packet, points: Points::new(packet), irradiance: [[0.0; LANES]; 3], radiance }
+        Gathered {
+            packet,
+            points: Points::new(packet),
+            gloss: GlossyPoints::new(packet),
+            irradiance: [[0.0; LANES]; 3],
+            lobes: [[0.0; LANES]; 3],
+            radiance: [Rgb::BLACK; LANES],
+        }
     }
 
     /// Adds `factor` times the light of one light.
-    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, rays: &mut u64) {
+    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, occluder: &mut Occluder, rays: &mut u64) {
         let p = self.packet;
         let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
         let kernel = world.tracer().kernel();
         let (g, lit) = geometry_terms(kernel, light, p, together);
         if lit != 0 {
             *rays += u64::from(lit.count_ones());
-            let seen = lit & !world.tracer().occluded16(light.position, &p.position, lit);
-            let plain = if light.gloss.is_none() { p.lambertian } else { 0 };
-            let intensity = light.intensity * factor;
-            kernel.run(Sum { into: &mut self.irradiance, intensity, g: &g, of: seen & plain });
-            for k in lanes(seen & !plain) {
+            let seen = lit & !world.tracer().occluded16_cached(light.position, &p.position, lit, occluder);
+            let law = Law::new(light, factor);
+            let of = if law.is_some() { seen & (p.lambertian | self.gloss.of) } else { 0 };
+            match &law {
+                Some(law) if law.has_lobe() || of & self.gloss.of != 0 => kernel.run(Shed {
+                    plain: &mut self.irradiance,
+                    glossy: &mut self.lobes,
+                    packet: p,
+                    points: &self.gloss,
+                    light: light.position,
+                    law,
+                    g: &g,
+                    of,
+                }),
+                Some(law) => {
+                    kernel.run(Sum { into: &mut self.irradiance, intensity: law.even, g: &g, of });
+                }
+                None => {}
+            }
+            for k in lanes(seen & !of) {
                 if let Some(x) = self.points.get(k) {
                     self.radiance[k] += reflected(&x.surface, light, g[k]) * factor;
                 }
@@ -249,9 +286,14 @@ impl<'p, 'w> Gathered<'p, 'w> {
     fn take(&mut self) -> [Rgb; LANES] {
         let p = self.packet;
         let mut radiance = std::mem::replace(&mut self.radiance, [Rgb::BLACK; LANES]);
-        let [r, g, b] = std::mem::take(&mut self.irradiance);
+        let (irradiance, lobes) = (std::mem::take(&mut self.irradiance), std::mem::take(&mut self.lobes));
+        let of = |[r, g, b]: &Three, k: usize| Rgb::new(r[k], g[k], b[k]);
         for k in lanes(p.lambertian) {
-            radiance[k] += p.reflectance[k] * Rgb::new(r[k], g[k], b[k]) * FRAC_1_PI;
+            radiance[k] += p.reflectance[k] * of(&irradiance, k) * FRAC_1_PI;
+        }
+        for k in lanes(self.gloss.of) {
+            let Glossy { base, specular, .. } = p.gloss[k];
+            radiance[k] += base * of(&irradiance, k) * FRAC_1_PI + specular * of(&lobes, k);
         }
         radiance
     }

@@ -118,12 +118,12 @@ pub(super) fn at(
     direct::near_light(pass, x, Way::Folded, numbers, throughput, out, rays);
 }
 
-/// What picking asks of the images of virtual lights in a mirror.
+/// What picking asks of the images of virtual lights in a mirror; those that shine away from it give nothing.
 fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
     let image = |b: &Beacon| Beacon {
         position: plane.image(b.position),
         normal: plane.turned(b.normal),
-        weight: b.weight * plane.strength(),
+        weight: if plane.may_be_before(b.position, b.normal) { b.weight * plane.strength() } else { 0.0 },
         bound: b.bound,
     };
     beacons.iter().map(image).collect()

@@ -10,6 +10,7 @@ mod compensation;
 mod direct;
 mod emission;
 pub mod gather;
+mod gloss;
 mod mirror;
 mod path;
 mod pick;

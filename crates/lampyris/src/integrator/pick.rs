@@ -6,7 +6,7 @@
 //! variance where what is given is in proportion to it.
 
 use crate::eye::{LANES, Packet};
-use crate::geometry::{Kernel, Wide};
+use crate::geometry::{Kernel, Wide, lane, sum_of_lanes};
 use crate::particle::Beacon;
 use crate::world::Mirror;
 use glam::Vec3;
@@ -16,8 +16,17 @@ const RUN: usize = 512;
 
 /// What a light shines through on its way to a point.
 pub(super) trait Window: Copy {
-    /// Whether a point at `x` may see what is `away` from there.
-    fn may_show(self, x: Vec3, away: Vec3) -> bool;
+    /// The points of a packet, in coordinates of the window's own.
+    type Places;
+
+    /// Where the points of a packet are.
+    fn places(self, packet: &Packet<'_>) -> Self::Places;
+
+    /// Where a light is, in the same coordinates.
+    fn place(self, light: Vec3) -> Vec3;
+
+    /// Whether point `k` may see a light.
+    fn may_show(self, points: &Self::Places, k: usize, light: Vec3) -> bool;
 }
 
 /// Nothing: all of it can be seen.
@@ -25,17 +34,38 @@ pub(super) trait Window: Copy {
 pub(super) struct Open;
 
 impl Window for Open {
+    type Places = ();
+
+    fn places(self, _: &Packet<'_>) {}
+
     #[inline(always)]
-    fn may_show(self, _: Vec3, _: Vec3) -> bool {
+    fn place(self, light: Vec3) -> Vec3 {
+        light
+    }
+
+    #[inline(always)]
+    fn may_show(self, (): &(), _: usize, _: Vec3) -> bool {
         true
     }
 }
 
 /// A planar mirror, for images behind it.
 impl Window for &Mirror {
+    type Places = [[f32; LANES]; 3];
+
+    fn places(self, packet: &Packet<'_>) -> [[f32; LANES]; 3] {
+        let local: [Vec3; LANES] = std::array::from_fn(|k| self.local(lane(&packet.position, k)));
+        [0, 1, 2].map(|axis| local.map(|place| place[axis]))
+    }
+
     #[inline(always)]
-    fn may_show(self, x: Vec3, away: Vec3) -> bool {
-        self.may_be_crossed(x, away)
+    fn place(self, light: Vec3) -> Vec3 {
+        self.local(light)
+    }
+
+    #[inline(always)]
+    fn may_show(self, [x, y, z]: &[[f32; LANES]; 3], k: usize, light: Vec3) -> bool {
+        self.may_be_crossed_between(Vec3::new(x[k], y[k], z[k]), light)
     }
 }
 
@@ -53,10 +83,11 @@ pub(super) fn pick(
     let length = beacons.len().div_ceil(runs).max(1);
     let teeth = most / runs as f32;
     let points = Points::new(p);
+    let places = window.places(p);
     let mut weights = [0.0; RUN];
     for (number, run) in beacons.chunks(length).enumerate() {
         let weights = &mut weights[..run.len()];
-        let total = kernel.run(Weigh { points: &points, run, window, weights });
+        let total = kernel.run(Weigh { points: &points, run, window, places: &places, weights });
         comb(weights, total, teeth, u, |k, factor| each(number * length + k, factor));
     }
 }
@@ -133,10 +164,11 @@ fn bounded_term(beacon: &Beacon, x: Vec3, normal: Vec3, behind: f32) -> f32 {
 }
 
 /// What each light would give all points together through a window, but for visibility and what they are made of.
-struct Weigh<'a, 'p, 'w, W> {
+struct Weigh<'a, 'p, 'w, W: Window> {
     points: &'a Points<'p, 'w>,
     run: &'a [Beacon],
     window: W,
+    places: &'a W::Places,
     weights: &'a mut [f32],
 }
 
@@ -149,16 +181,19 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
         let ([x, y, z], [nx, ny, nz]) = (&packet.position, &packet.shading);
         let mut total = 0.0;
         for (weight, beacon) in self.weights.iter_mut().zip(self.run) {
+            *weight = 0.0;
+            if beacon.weight == 0.0 {
+                continue;
+            }
+            let place = self.window.place(beacon.position);
             let mut terms = [0.0; LANES];
             for k in 0..LANES {
                 let at = Vec3::new(x[k], y[k], z[k]);
                 let term = bounded_term(beacon, at, Vec3::new(nx[k], ny[k], nz[k]), behind[k]);
-                let may_show = self.window.may_show(at, beacon.position - at);
+                let may_show = self.window.may_show(self.places, k, place);
                 terms[k] = if may_show { term * live[k] } else { 0.0 };
             }
-            let eight: [f32; 8] = std::array::from_fn(|k| terms[k] + terms[k + 8]);
-            let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
-            *weight = ((four[0] + four[2]) + (four[1] + four[3])) * beacon.weight;
+            *weight = sum_of_lanes(&terms) * beacon.weight;
             total += *weight;
         }
         total

@@ -8,6 +8,7 @@
 mod dielectric;
 mod diffuse;
 mod energy;
+mod exp;
 mod ggx;
 mod maps;
 mod pbr;
@@ -19,7 +20,8 @@ pub use diffuse::Diffuse;
 pub use maps::{Coverage, Map, Maps};
 pub use pbr::Pbr;
 pub use sound::glows_soundly;
-pub use ward::{DELTA_ALPHA, Ward};
+pub use ward::{DELTA_ALPHA, Glossy, Ward};
+pub(crate) use ward::{lobe, sharpness};
 
 use crate::color::Rgb;
 use glam::Vec3;
@@ -198,6 +200,15 @@ impl Bsdf {
             Bsdf::Ward(m) => m.lambertian(),
             Bsdf::Pbr(m) => m.lambertian(),
             Bsdf::Dielectric(m) => (!m.is_dull()).then_some(Rgb::BLACK),
+        }
+    }
+
+    /// What the dull class is if it is one reflecting lobe of Ward's over a Lambertian reflector: the gather then works out
+    /// sixteen at once.
+    pub fn glossy(&self) -> Option<Glossy> {
+        match self {
+            Bsdf::Ward(m) => m.glossy(),
+            Bsdf::Diffuse(_) | Bsdf::Pbr(_) | Bsdf::Dielectric(_) => None,
         }
     }
 

@@ -123,6 +123,28 @@ impl Mirror {
         (from * along < 0.0) & (x >= low.x) & (x <= high.x) & (y >= low.y) & (y <= high.y)
     }
 
+    /// A point by its coordinates along the mirror's axes and off its plane [m].
+    #[inline(always)]
+    pub fn local(&self, p: Vec3) -> Vec3 {
+        let Frame { s, t, n } = &self.frame;
+        let o = p - self.origin;
+        Vec3::new(s.dot(o), t.dot(o), n.dot(o))
+    }
+
+    /// [`Mirror::may_be_crossed`] for the segment between two points of local coordinates, none of which lies in the plane.
+    #[inline(always)]
+    pub fn may_be_crossed_between(&self, a: Vec3, b: Vec3) -> bool {
+        let [low, high] = self.rectangle;
+        // Where it crosses, times the sum of both heights: no division.
+        let (p, q) = (a.z.abs(), b.z.abs());
+        let (x, y, sum) = (a.x * q + b.x * p, a.y * q + b.y * p, p + q);
+        (a.z * b.z < 0.0)
+            & (x >= low.x * sum)
+            & (x <= high.x * sum)
+            & (y >= low.y * sum)
+            & (y <= high.y * sum)
+    }
+
     /// Whether anything of the rectangle around the mirror lies before a plane through `p` of normal `n`.
     pub fn may_be_before(&self, p: Vec3, n: Vec3) -> bool {
         let [low, high] = self.rectangle;

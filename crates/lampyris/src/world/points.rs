@@ -2,7 +2,8 @@
 //! out for the gather. Flat facets alone; a bent normal is a matter of one lane.
 
 use super::World;
-use crate::geometry::{ERROR, Hits16, LANES, away, lanes};
+use crate::geometry::{ERROR, Hits16, LANES, Wide, away, lanes};
+use glam::Vec3;
 
 /// One value of each lane for each axis.
 type Vectors = [[f32; LANES]; 3];
@@ -19,18 +20,42 @@ impl World {
     /// The points that sixteen rays meet, as if all facets were flat; lanes outside `of` hold nothing of use.
     pub fn points16(&self, directions: &Vectors, hits: &Hits16, of: u16) -> Points {
         let (mut corners, mut mirror) = ([[[0.0_f32; LANES]; 3]; 3], [1.0_f32; LANES]);
+        // Neighbours often meet the same triangle.
+        let (mut last, mut facet, mut turn) = ((u32::MAX, u32::MAX), [Vec3::ZERO; 3], 1.0);
         for k in lanes(of) {
             let (instance, triangle) = (hits.instance[k], hits.triangle[k]);
-            for (corner, all) in self.facets.corners(instance, triangle).iter().zip(&mut corners) {
+            if last != (instance, triangle) {
+                last = (instance, triangle);
+                facet = self.facets.corners(instance, triangle);
+                turn = self.facets.mirror(instance);
+            }
+            for (corner, all) in facet.iter().zip(&mut corners) {
                 (0..3).for_each(|axis| all[axis][k] = corner[axis]);
             }
-            mirror[k] = self.facets.mirror(instance);
+            mirror[k] = turn;
         }
-        let mut normal = normals(&corners);
+        self.tracer.kernel().run(Place { directions, hits, corners: &corners, mirror: &mirror })
+    }
+}
+
+/// Points on sixteen triangles.
+struct Place<'a> {
+    directions: &'a Vectors,
+    hits: &'a Hits16,
+    corners: &'a [Vectors; 3],
+    mirror: &'a [f32; LANES],
+}
+
+impl Wide for Place<'_> {
+    type Out = Points;
+
+    #[inline(always)]
+    fn run(self) -> Points {
+        let Place { directions: [dx, dy, dz], hits, corners, mirror } = self;
+        let mut normal = normals(corners);
         for axis in &mut normal {
             (0..LANES).for_each(|k| axis[k] *= mirror[k]);
         }
-        let [dx, dy, dz] = directions;
         let side: [f32; LANES] = std::array::from_fn(|k| {
             let toward = -dx[k] * normal[0][k] + -dy[k] * normal[1][k] + -dz[k] * normal[2][k];
             if toward >= 0.0 { 1.0 } else { -1.0 }
@@ -61,6 +86,7 @@ impl World {
 }
 
 /// Unit normals, as by `normalize_or_zero` of the cross product of two edges.
+#[inline(always)]
 fn normals(corners: &[Vectors; 3]) -> Vectors {
     let mut normal = [[0.0; LANES]; 3];
     let edge = |end: usize, axis: usize, k: usize| corners[end][axis][k] - corners[0][axis][k];

@@ -1,0 +1,164 @@
+//! Sixteen glossy points at once: Ward's dull lobe over a Lambertian reflector, at the points of a packet, at the light, or
+//! at both. The half vector is taken apart into what is along the normal and what lies in the surface, so that no frame is
+//! needed; `Surface::eval` is the clear version for one point, and the gather is tested against it.
+
+use crate::color::Rgb;
+use crate::eye::{LANES, Packet};
+use crate::geometry::{Wide, lane, lanes};
+use crate::material::{Glossy, lobe, sharpness};
+use crate::particle::Vpl;
+use glam::Vec3;
+use std::f32::consts::FRAC_1_PI;
+
+/// Least cosine of a leaving direction, as in [`crate::world::Surface`].
+const GRAZING: f32 = 1e-4;
+
+/// One value of each lane for each colour or axis.
+pub(super) type Three = [[f32; LANES]; 3];
+
+/// A direction in parts: what lies in the surface, and the cosine.
+fn parts(direction: Vec3, normal: Vec3) -> (Vec3, f32) {
+    let cosine = direction.dot(normal);
+    (direction - normal * cosine, cosine)
+}
+
+/// The glossy points of a packet.
+pub(super) struct GlossyPoints {
+    /// Which lanes they are.
+    pub(super) of: u16,
+    /// The direction toward the eye in parts.
+    tangent: Three,
+    height: [f32; LANES],
+    sharpness: [f32; LANES],
+}
+
+impl GlossyPoints {
+    pub(super) fn new(p: &Packet<'_>) -> GlossyPoints {
+        let zero = [0.0; LANES];
+        let mut points = GlossyPoints { of: 0, tangent: [zero; 3], height: zero, sharpness: zero };
+        for k in lanes(p.glossy) {
+            let normal = lane(&p.shading, k);
+            if normal.dot(lane(&p.geometric, k)) < 0.0 {
+                continue;
+            }
+            let (tangent, cosine) = parts(p.toward_eye(k), normal);
+            (0..3).for_each(|axis| points.tangent[axis][k] = tangent[axis]);
+            points.height[k] = cosine.abs().max(GRAZING);
+            points.sharpness[k] = sharpness(p.gloss[k].alpha);
+            points.of |= 1 << k;
+        }
+        points
+    }
+}
+
+/// What a light sends out: alike in all directions, and by a lobe.
+pub(super) struct Law {
+    /// Intensity [cd], or radiance × area.
+    pub(super) even: Rgb,
+    lobe: Option<Lobe>,
+}
+
+/// The lobe of a glossy virtual light.
+struct Lobe {
+    normal: Vec3,
+    /// The direction toward the particle's origin in parts.
+    tangent: Vec3,
+    height: f32,
+    sharpness: f32,
+    /// Flux times specular reflectance.
+    value: Rgb,
+}
+
+impl Law {
+    /// `factor` times the light's law; `None` if its material is of another kind.
+    pub(super) fn new(light: &Vpl<'_>, factor: f32) -> Option<Law> {
+        let flux = light.intensity * factor;
+        let Some(y) = &light.gloss else { return Some(Law { even: flux, lobe: None }) };
+        let Glossy { base, specular, alpha } = y.finish.bsdf.glossy()?;
+        if y.shading.dot(y.normal) < 0.0 {
+            return None;
+        }
+        let (tangent, height) = parts(y.wo, y.shading);
+        let value = flux * specular;
+        let lobe = Lobe { normal: y.shading, tangent, height, sharpness: sharpness(alpha), value };
+        Some(Law { even: flux * base * FRAC_1_PI, lobe: Some(lobe) })
+    }
+
+    pub(super) fn has_lobe(&self) -> bool {
+        self.lobe.is_some()
+    }
+}
+
+/// Adds a light's light to some lanes: plainly, and times each point's lobe.
+pub(super) struct Shed<'a, 'w> {
+    pub(super) plain: &'a mut Three,
+    pub(super) glossy: &'a mut Three,
+    pub(super) packet: &'a Packet<'w>,
+    pub(super) points: &'a GlossyPoints,
+    pub(super) light: Vec3,
+    pub(super) law: &'a Law,
+    pub(super) g: &'a [f32; LANES],
+    pub(super) of: u16,
+}
+
+impl Wide for Shed<'_, '_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Shed { plain, glossy, packet: p, points, light, law, g, of } = self;
+        // Unit directions toward the light.
+        let mut wi = [[0.0; LANES]; 3];
+        for k in 0..LANES {
+            let d = [0, 1, 2].map(|axis| light[axis] - p.position[axis][k]);
+            let reciprocal = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+            (0..3).for_each(|axis| wi[axis][k] = d[axis] * reciprocal);
+        }
+        let mut at_light = [0.0; LANES];
+        if let Some(lobe) = &law.lobe {
+            lobe.toward(&wi, &mut at_light);
+        }
+        let mut at_point = [0.0; LANES];
+        if of & points.of != 0 {
+            points.toward(&p.shading, &wi, &mut at_point);
+        }
+        let value = law.lobe.as_ref().map_or(Rgb::BLACK, |lobe| lobe.value);
+        let (even, value) = ([law.even.r, law.even.g, law.even.b], [value.r, value.g, value.b]);
+        for channel in 0..3 {
+            for k in 0..LANES {
+                let counts = of >> k & 1 == 1;
+                let shed = (even[channel] + value[channel] * at_light[k]) * g[k];
+                plain[channel][k] += if counts { shed } else { 0.0 };
+                glossy[channel][k] += if counts { shed * at_point[k] } else { 0.0 };
+            }
+        }
+    }
+}
+
+impl GlossyPoints {
+    /// The lobe of each point for light from `wi`.
+    #[inline(always)]
+    fn toward(&self, normal: &Three, wi: &Three, out: &mut [f32; LANES]) {
+        for k in 0..LANES {
+            let cosine = wi[0][k] * normal[0][k] + wi[1][k] * normal[1][k] + wi[2][k] * normal[2][k];
+            let h = [0, 1, 2].map(|a| self.tangent[a][k] + (wi[a][k] - normal[a][k] * cosine));
+            let tangential2 = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
+            out[k] = lobe(self.sharpness[k], tangential2, self.height[k] + cosine.abs());
+        }
+    }
+}
+
+impl Lobe {
+    /// The lobe toward points that see the light at `wi`.
+    #[inline(always)]
+    fn toward(&self, wi: &Three, out: &mut [f32; LANES]) {
+        let (n, t) = (self.normal.to_array(), self.tangent.to_array());
+        for k in 0..LANES {
+            let cosine = -(wi[0][k] * n[0] + wi[1][k] * n[1] + wi[2][k] * n[2]);
+            let h = [0, 1, 2].map(|a| t[a] + (-wi[a][k] - n[a] * cosine));
+            let tangential2 = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
+            let leaving = if cosine.abs() > GRAZING { cosine.abs() } else { GRAZING };
+            out[k] = lobe(self.sharpness, tangential2, self.height + leaving);
+        }
+    }
+}
