@@ -43,8 +43,35 @@ struct Job {
     settings: Settings,
     plan: Plan,
     integrators: Vec<&'static dyn Integrator>,
+    /// Of each integrator the plane that its light is drawn into.
+    plane_of: Vec<usize>,
+    /// What the planes hold.
+    planes: Vec<Kind>,
     frame: Frame,
     statistics: Statistics,
+}
+
+/// What becomes of light when it is shown.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Neighbours share it.
+    Shared,
+    /// They do not.
+    Own,
+    /// They do not, and further eye rays find it again.
+    Emission,
+}
+
+impl Kind {
+    const ALL: [Kind; 3] = [Kind::Shared, Kind::Own, Kind::Emission];
+
+    fn of(integrator: &dyn Integrator) -> Kind {
+        match integrator.is_smooth() {
+            true => Kind::Shared,
+            false if integrator.name() == "emission" => Kind::Emission,
+            false => Kind::Own,
+        }
+    }
 }
 
 /// What all tiles of a batch share.
@@ -81,14 +108,20 @@ impl Cpu {
         let integrators = integrator::select(&settings.parts)?;
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
         // Either parts have planes of their own or light groups: both would be too many.
-        let planes = if world.scene().groups.is_empty() { names.as_slice() } else { &[] };
+        let apart = world.scene().groups.is_empty();
+        let kinds: Vec<Kind> = integrators.iter().map(|i| Kind::of(*i)).collect();
+        let place = |kind: &Kind| Kind::ALL.iter().position(|k| k == kind).unwrap_or(0);
+        let plane_of =
+            if apart { (0..integrators.len()).collect() } else { kinds.iter().map(place).collect() };
         let (width, height) = eye.size();
         // Meters have no neighbours.
         let filter = settings.filter && matches!(eye, Eye::Camera(_));
         let settings = Settings { filter, ..settings.clone() };
         let mut job = Job {
             plan: Plan::new(&world, &settings),
-            frame: Frame::new(width, height, planes, &settings, world.groups()),
+            frame: Frame::new(width, height, if apart { &names } else { &[] }, &settings, world.groups()),
+            plane_of,
+            planes: if apart { kinds } else { Kind::ALL.to_vec() },
             statistics: Statistics::default(),
             settings,
             world,
@@ -319,13 +352,11 @@ impl Job {
         layer_of: &dyn Fn(u32) -> Option<usize>,
     ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
-        let black = || vec![Rgb::BLACK; pixels];
-        let mut once: Vec<Vec<Rgb>> = shared.groups.iter().map(|_| black()).collect();
-        let parts = || self.integrators.iter().map(|_| black()).collect::<Vec<_>>();
-        let mut layers: Vec<Vec<Vec<Rgb>>> = shared.groups.iter().map(|_| parts()).collect();
+        let layers = shared.groups.len();
+        let mut planes: Vec<Vec<Vec<Rgb>>> =
+            self.planes.iter().map(|_| vec![vec![Rgb::BLACK; pixels]; layers]).collect();
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
-        let mut non_finite = 0;
         let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
         for number in numbers {
             let sampling = self.sampling(shared.batch, number);
@@ -346,19 +377,9 @@ impl Job {
                     sampling,
                 })
                 .collect();
-            for (part, integrator) in self.integrators.iter().enumerate() {
-                once.iter_mut().for_each(|plane| plane.fill(Rgb::BLACK));
+            for (integrator, plane) in self.integrators.iter().zip(&self.plane_of) {
                 for (pass, tile) in passes.iter().zip(&tiles) {
-                    integrator.add(pass, tile, &mut once, &mut rays);
-                }
-                for (layer, once) in layers.iter_mut().zip(&once) {
-                    for (s, v) in layer[part].iter_mut().zip(once) {
-                        if v.is_finite() {
-                            *s += *v;
-                        } else {
-                            non_finite += 1;
-                        }
-                    }
+                    integrator.add(pass, tile, &mut planes[*plane], &mut rays);
                 }
             }
             if let Some(sums) = &mut auxiliary {
@@ -366,10 +387,24 @@ impl Job {
             }
         }
         let scale = 1.0 / self.settings.eye_passes() as f32;
-        layers.iter_mut().flatten().flatten().for_each(|v| *v *= scale);
-        let glimpse = self.settings.filter.then(|| self.glimpse(rect, &tiles, &layers, layer_of));
-        if !self.world.scene().groups.is_empty() {
-            layers.iter_mut().for_each(add_up);
+        let mut non_finite = 0;
+        for v in planes.iter_mut().flatten().flatten() {
+            if v.is_finite() {
+                *v *= scale;
+            } else {
+                *v = Rgb::BLACK;
+                non_finite += 1;
+            }
+        }
+        let glimpse = self.settings.filter.then(|| self.glimpse(rect, &tiles, &planes, layer_of));
+        let mut layers: Vec<Vec<Vec<Rgb>>> = vec![Vec::new(); layers];
+        for plane in planes {
+            for (layer, plane) in layers.iter_mut().zip(plane) {
+                match layer.first_mut().filter(|_| !self.world.scene().groups.is_empty()) {
+                    Some(sum) => sum.iter_mut().zip(plane).for_each(|(sum, v)| *sum += v),
+                    None => layer.push(plane),
+                }
+            }
         }
         Summed { rect, layers, auxiliary, glimpse, rays, non_finite }
     }
@@ -379,22 +414,18 @@ impl Job {
         &self,
         rect: Rect,
         tiles: &[Tile<'_>],
-        layers: &[Vec<Vec<Rgb>>],
+        planes: &[Vec<Vec<Rgb>>],
         layer_of: &dyn Fn(u32) -> Option<usize>,
     ) -> Glimpse {
-        let mut glimpse = Glimpse::new(rect, layers.len());
-        for (number, parts) in layers.iter().enumerate() {
-            let sum = |smooth: bool| {
-                let mut sum = vec![Rgb::BLACK; (rect.width * rect.height) as usize];
-                let parts = self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
-                for (_, part) in parts.filter(|(i, _)| i.is_smooth() == smooth) {
-                    sum.iter_mut().zip(part).for_each(|(sum, v)| *sum += *v);
+        let layers = planes.first().map_or(0, Vec::len);
+        let mut glimpse = Glimpse::new(rect, layers);
+        for layer in 0..layers {
+            for (plane, kind) in planes.iter().zip(&self.planes) {
+                match kind {
+                    Kind::Shared => glimpse.add_shared(layer, &plane[layer]),
+                    Kind::Own => glimpse.add_own(layer, &plane[layer]),
+                    Kind::Emission => {}
                 }
-                sum
-            };
-            let (shared, own) = (sum(true), sum(false));
-            for (k, (shared, own)) in shared.into_iter().zip(own).enumerate() {
-                glimpse.light(number, k, shared, own);
             }
         }
         for p in tiles.iter().flat_map(|tile| &tile.packets) {
@@ -434,13 +465,6 @@ impl Job {
 fn bands(rects: &[Rect]) -> impl Iterator<Item = &[Rect]> {
     let columns = rects.iter().take_while(|rect| rect.y == rects[0].y).count().max(1);
     rects.chunks(TOGETHER.div_ceil(columns) * columns)
-}
-
-/// Makes the planes of all parts one.
-fn add_up(parts: &mut Vec<Vec<Rgb>>) {
-    for part in parts.split_off(1) {
-        parts[0].iter_mut().zip(part).for_each(|(sum, v)| *sum += v);
-    }
 }
 
 /// What a piece of work counted, and what its paths met first.

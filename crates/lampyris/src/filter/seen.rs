@@ -85,10 +85,23 @@ impl Glimpse {
         self.set(SLACK, k, [slack, (alike >> 8) as f32]);
     }
 
-    /// Notes a layer's light at pixel `k`: what neighbours may share, and what they may not.
-    pub fn light(&mut self, layer: usize, k: usize, shared: Rgb, own: Rgb) {
-        self.set(lit(layer), k, shared.to_array());
-        self.set(rest(layer), k, own.to_array());
+    /// Adds light of a layer that neighbours may share, of all pixels row by row.
+    pub fn add_shared(&mut self, layer: usize, light: &[Rgb]) {
+        self.add(lit(layer), light);
+    }
+
+    /// Adds light of a layer that they may not share.
+    pub fn add_own(&mut self, layer: usize, light: &[Rgb]) {
+        self.add(rest(layer), light);
+    }
+
+    fn add(&mut self, first: usize, light: &[Rgb]) {
+        let pixels = (self.rect.width * self.rect.height) as usize;
+        let mut planes = self.values[first * pixels..].chunks_mut(pixels);
+        let three = [planes.next(), planes.next(), planes.next()];
+        for (channel, plane) in three.into_iter().flatten().enumerate() {
+            plane.iter_mut().zip(light).for_each(|(sum, v)| *sum += v[channel]);
+        }
     }
 
     /// Notes that something of a layer glowed on the way to pixel `k`.

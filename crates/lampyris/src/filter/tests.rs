@@ -22,19 +22,26 @@ fn seen(at: impl Fn(u32, u32) -> Option<Pixel>) -> Seen {
     ];
     let glimpses = pieces.map(|rect| {
         let mut glimpse = Glimpse::new(rect, 2);
+        let mut lit = vec![Rgb::BLACK; (rect.width * rect.height) as usize];
         for k in 0..rect.width * rect.height {
             let (x, y) = rect.pixel(k);
             if let Some((position, normal, alike, tint, light)) = at(x, y) {
                 glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
-                glimpse.light(0, k as usize, tint * light, Rgb::BLACK);
-                glimpse.light(1, k as usize, tint * light * 0.5, Rgb::BLACK);
+                lit[k as usize] = tint * light;
             }
         }
+        add(&mut glimpse, &lit);
         glimpse
     });
     let mut seen = Seen::new((WIDTH, HEIGHT), 2);
     assert_eq!(seen.append(0..HEIGHT, &[&glimpses[0], &glimpses[1]]), 0..HEIGHT);
     seen
+}
+
+/// Adds light to the first layer, and half as much to the second.
+fn add(glimpse: &mut Glimpse, light: &[Rgb]) {
+    glimpse.add_shared(0, light);
+    glimpse.add_shared(1, &light.iter().map(|v| *v * 0.5).collect::<Vec<_>>());
 }
 
 fn tint(x: u32, y: u32) -> Rgb {
@@ -177,13 +184,14 @@ fn bands_leave_no_trace() {
             for end in &cuts {
                 let rect = Rect { x: 0, y: start, width: WIDTH, height: end - start };
                 let mut glimpse = Glimpse::new(rect, 2);
+                let mut lit = vec![Rgb::BLACK; (rect.width * rect.height) as usize];
                 for k in 0..rect.width * rect.height {
                     let (x, y) = rect.pixel(k);
                     let (position, normal, alike, tint, light) = bumpy(x, y).expect("a surface");
                     glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
-                    glimpse.light(0, k as usize, tint * light, Rgb::BLACK);
-                    glimpse.light(1, k as usize, tint * light * 0.5, Rgb::BLACK);
+                    lit[k as usize] = tint * light;
                 }
+                add(&mut glimpse, &lit);
                 let rows = parts.append(start..*end, &[&glimpse]);
                 assert_eq!(rows.start, done);
                 let found = Smooth::new(Kernel::Portable, &parts, rows.clone(), [5, 7]);

@@ -174,10 +174,14 @@ pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
         for (lights, out) in pass.zip(out) {
             let Some(most) = picking(lights) else { continue };
+            let mut any = false;
             pick(kernel, p, (lights.beacons, Open), most, lights.turned(u), |k, factor| {
                 gathered.add(world, &lights.vpls[k], factor, &mut Occluder::default(), rays);
+                any = true;
             });
-            add(p, &gathered.take(), out);
+            if any {
+                add(p, &gathered.take(), out);
+            }
         }
     }
 }
