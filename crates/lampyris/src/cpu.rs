@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Rect, Sampling, Tile};
 use crate::filter::{Filter, Glimpse, Seen};
-use crate::frame::{Auxiliary, Frame};
+use crate::frame::{Auxiliary, Frame, Tiles};
 use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Lights, Pass};
 use crate::particle::{Plan, Walk};
@@ -297,10 +297,10 @@ impl Job {
                 let rows = first.y..last.y + last.height;
                 statistics.rays.eye += filter.show(seen, rows, &glimpses, &mut shown);
             }
-            let mut layers: Vec<Vec<(Rect, Vec<Vec<Rgb>>)>> = vec![Vec::new(); shared.groups.len()];
+            let mut layers: Vec<(usize, Tiles)> = shared.groups.iter().map(|k| (*k, Vec::new())).collect();
             for piece in done {
                 self::note(&piece, width, statistics, frame);
-                for (tiles, planes) in layers.iter_mut().zip(piece.layers) {
+                for ((_, tiles), planes) in layers.iter_mut().zip(piece.layers) {
                     match tiles.last_mut().filter(|(rect, _)| *rect == piece.rect) {
                         Some((_, sums)) => {
                             let pairs = sums.iter_mut().flatten().zip(planes.iter().flatten());
@@ -311,9 +311,7 @@ impl Job {
                 }
             }
             // A batch is summed by itself before it is added: others may then merge it to the same bits.
-            for (group, tiles) in shared.groups.iter().zip(&layers) {
-                frame.add(*group, replicate, tiles);
-            }
+            frame.add(replicate, &layers);
         }
         shared.groups.iter().for_each(|group| frame.count(*group, replicate));
         if let Some(sums) = frame.auxiliary_mut().filter(|_| note) {

@@ -53,6 +53,9 @@ struct Replicate {
     batches: u32,
 }
 
+/// Rectangles of a picture with the planes of their values, row by row.
+pub type Tiles = Vec<(Rect, Vec<Vec<Rgb>>)>;
+
 /// Edge of a block of pixels.
 const BLOCK: u32 = 8;
 
@@ -274,48 +277,14 @@ impl Frame {
         self.auxiliary.as_ref()
     }
 
-    /// Adds a batch of randomisation `replicate` to a layer: rectangles of the picture, each with the values of the parts in
-    /// the order of `part_names`, or of all of them together, row by row.
-    pub fn add(&mut self, layer: usize, replicate: u32, tiles: &[(Rect, Vec<Vec<Rgb>>)]) {
+    /// Adds a batch of randomisation `replicate` to some layers, each with its rectangles of the picture and their values:
+    /// of the parts in the order of `part_names`, or of all of them together, row by row.
+    pub fn add(&mut self, replicate: u32, layers: &[(usize, Tiles)]) {
         let ([columns, _], edge, width) = (self.blocks(), self.block(), self.width as usize);
-        let Layer { planes, replicates, .. } = &mut self.layers[layer];
-        let Replicate { blocks, probes, .. } = &mut replicates[replicate as usize];
-        let rows = |rect: &Rect| {
-            let left = rect.x;
-            (rect.y..rect.y + rect.height).map(move |y| (left, y))
-        };
-        let add_planes = || {
-            planes.par_iter_mut().enumerate().for_each(|(number, sum)| {
-                for (rect, values) in tiles {
-                    for ((x, y), values) in rows(rect).zip(values[number].chunks(rect.width as usize)) {
-                        let at = y as usize * width + x as usize;
-                        sum[at..at + values.len()].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
-                    }
-                }
-            });
-        };
-        let add_blocks = || {
-            for (rect, values) in tiles {
-                for ((left, y), row) in
-                    values.iter().flat_map(|v| rows(rect).zip(v.chunks(rect.width as usize)))
-                {
-                    let mut x = left;
-                    while x < left + rect.width {
-                        let end = ((x / edge + 1) * edge).min(left + rect.width);
-                        let at = (y / edge) as usize * columns + (x / edge) as usize;
-                        let [px, py] = probe(at, edge);
-                        let (px, values) =
-                            (x / edge * edge + px, &row[(x - left) as usize..(end - left) as usize]);
-                        values.iter().for_each(|v| blocks[at] += *v);
-                        if y % edge == py && (x..end).contains(&px) {
-                            probes[at] += values[(px - x) as usize];
-                        }
-                        x = end;
-                    }
-                }
-            }
-        };
-        rayon::join(add_planes, add_blocks);
+        let asked = self.layers.par_iter_mut().enumerate().filter_map(|(number, layer)| {
+            layers.iter().find(|(own, _)| *own == number).map(|(_, tiles)| (layer, tiles))
+        });
+        asked.for_each(|(layer, tiles)| layer.add(replicate, tiles, (columns, edge, width)));
     }
 
     /// A batch of randomisation `replicate` is complete in a layer: every pixel of it was added once.
@@ -360,6 +329,48 @@ impl Frame {
 }
 
 impl Layer {
+    /// Adds a batch, in a picture of so many columns of blocks, of that edge, and of that width.
+    fn add(&mut self, replicate: u32, tiles: &Tiles, (columns, edge, width): (usize, u32, usize)) {
+        let Layer { planes, replicates, .. } = self;
+        let Replicate { blocks, probes, .. } = &mut replicates[replicate as usize];
+        let rows = |rect: &Rect| {
+            let left = rect.x;
+            (rect.y..rect.y + rect.height).map(move |y| (left, y))
+        };
+        let add_planes = || {
+            planes.par_iter_mut().enumerate().for_each(|(number, sum)| {
+                for (rect, values) in tiles {
+                    for ((x, y), values) in rows(rect).zip(values[number].chunks(rect.width as usize)) {
+                        let at = y as usize * width + x as usize;
+                        sum[at..at + values.len()].iter_mut().zip(values).for_each(|(s, v)| *s += *v);
+                    }
+                }
+            });
+        };
+        let add_blocks = || {
+            for (rect, values) in tiles {
+                for ((left, y), row) in
+                    values.iter().flat_map(|v| rows(rect).zip(v.chunks(rect.width as usize)))
+                {
+                    let mut x = left;
+                    while x < left + rect.width {
+                        let end = ((x / edge + 1) * edge).min(left + rect.width);
+                        let at = (y / edge) as usize * columns + (x / edge) as usize;
+                        let [px, py] = probe(at, edge);
+                        let (px, values) =
+                            (x / edge * edge + px, &row[(x - left) as usize..(end - left) as usize]);
+                        values.iter().for_each(|v| blocks[at] += *v);
+                        if y % edge == py && (x..end).contains(&px) {
+                            probes[at] += values[(px - x) as usize];
+                        }
+                        x = end;
+                    }
+                }
+            }
+        };
+        rayon::join(add_planes, add_blocks);
+    }
+
     fn batches(&self) -> u32 {
         self.replicates.iter().map(|r| r.batches).sum()
     }
@@ -430,7 +441,7 @@ mod tests {
     fn the_interval_is_students() {
         let mut frame = Frame::new(1, 1, &["direct"], &Settings { replicates: 4, ..Settings::default() }, 1);
         for (k, v) in (0..).zip([1.0, 2.0, 3.0, 4.0]) {
-            frame.add(0, k, &[(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])]);
+            frame.add(k, &[(0, vec![(Rect { x: 0, y: 0, width: 1, height: 1 }, vec![vec![Rgb::grey(v)]])])]);
             frame.count(0, k);
         }
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.

@@ -64,7 +64,7 @@ impl Filter<'_> {
         let again = Again::new(self, seen, &smooth);
         let done = by_row.into_par_iter().map(|(y, mut row)| {
             for (layer, row) in row.iter_mut().enumerate() {
-                (0..).zip(row.iter_mut()).for_each(|(x, pixel)| *pixel += smooth.shown(seen, layer, x, y));
+                smooth.show(seen, layer, y, row);
             }
             again.refine(y, &mut row)
         });
@@ -95,6 +95,18 @@ impl Smooth {
             kernel.run(Row { seen, y, reach, layers, values });
         });
         Smooth { top, layers, stride, values }
+    }
+
+    /// Adds what the pixels of a row show of a layer, as [`Smooth::shown`] says.
+    fn show(&self, seen: &Seen, layer: usize, y: u32, row: &mut [Rgb]) {
+        let start = seen.index(0, y);
+        let three = |first: usize| [0, 1, 2].map(|c| &seen.planes[first + c][start..start + row.len()]);
+        let (glow, own, tint) = (three(emission(layer)), three(rest(layer)), three(TINT));
+        let light = [0, 1, 2].map(|c| &self.values[self.row(3 * layer + c, y)..][..row.len()]);
+        for (x, pixel) in row.iter_mut().enumerate() {
+            let of = |c: usize| glow[c][x] + own[c][x] + tint[c][x] * light[c][x];
+            *pixel += Rgb::new(of(0), of(1), of(2));
+        }
     }
 
     /// What a pixel shows of a layer by its one sample.
