@@ -247,12 +247,10 @@ impl Job {
             shares[self.world.group_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
         }
         let of_class = |class: u32| {
-            let of_group = |(group, walk): (&usize, &'w Walk<'w>)| Lights {
-                group: *group,
-                share: shares[*group],
-                points: walk.lights_of(class),
-                vpls: walk.vpls_of(class),
-                beacons: walk.beacons_of(class),
+            let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
+                let ((vpls, beacons), beyond) = (walk.vpls_of(class), walk.beyond_of(class));
+                let (share, points) = (shares[*group], walk.lights_of(class));
+                Lights { group: *group, share, points, vpls, beacons, beyond }
             };
             groups.iter().zip(walks).map(of_group).collect()
         };

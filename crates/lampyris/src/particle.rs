@@ -78,6 +78,8 @@ pub struct Walk<'w> {
     /// Where the lights of each class begin, and at last where they end.
     light_starts: Vec<usize>,
     vpl_starts: Vec<usize>,
+    /// Where in each class those begin that lie beyond the limit of [`Settings::longest`].
+    cuts: Vec<usize>,
     /// Rays that the particles took.
     pub rays: u64,
 }
@@ -184,17 +186,23 @@ impl<'w> Walk<'w> {
         for members in by_class {
             walk.light_starts.push(walk.lights.len());
             walk.vpl_starts.push(walk.vpls.len());
-            for k in members {
+            for &k in &members {
                 walk.lights.extend(traced[k].light);
-                walk.vpls.extend_from_slice(&traced[k].vertices);
-                walk.sources.resize(walk.vpls.len(), paths[k].emitter as u32);
-                walk.beacons.extend(traced[k].vertices.iter().map(Beacon::from));
+                walk.leave(&traced[k].vertices, paths[k].emitter);
                 walk.rays += traced[k].rays;
             }
+            walk.cuts.push(walk.vpls.len());
+            members.iter().for_each(|k| walk.leave(&traced[*k].beyond, paths[*k].emitter));
         }
         walk.light_starts.push(walk.lights.len());
         walk.vpl_starts.push(walk.vpls.len());
         walk
+    }
+
+    fn leave(&mut self, vertices: &[Vpl<'w>], emitter: usize) {
+        self.vpls.extend_from_slice(vertices);
+        self.sources.resize(self.vpls.len(), emitter as u32);
+        self.beacons.extend(vertices.iter().map(Beacon::from));
     }
 
     /// The lights of a class.
@@ -202,20 +210,29 @@ impl<'w> Walk<'w> {
         &self.lights[self.light_starts[class as usize]..self.light_starts[class as usize + 1]]
     }
 
-    /// The vertices of a class.
-    pub fn vpls_of(&self, class: u32) -> &[Vpl<'w>] {
-        &self.vpls[self.vpl_range(class)]
+    /// The vertices of a class, for light and for picking.
+    pub fn vpls_of(&self, class: u32) -> (&[Vpl<'w>], &[Beacon]) {
+        self.range(self.vpl_starts[class as usize]..self.cuts[class as usize])
     }
 
-    /// The same vertices for picking.
-    pub fn beacons_of(&self, class: u32) -> &[Beacon] {
-        &self.beacons[self.vpl_range(class)]
+    /// Those whose light would take longer paths than [`Settings::longest`] allows, where the part *cut-off* asks for them.
+    pub fn beyond_of(&self, class: u32) -> (&[Vpl<'w>], &[Beacon]) {
+        self.range(self.cuts[class as usize]..self.vpl_starts[class as usize + 1])
     }
 
-    fn vpl_range(&self, class: u32) -> std::ops::Range<usize> {
-        self.vpl_starts[class as usize]..self.vpl_starts[class as usize + 1]
+    fn range(&self, range: std::ops::Range<usize>) -> (&[Vpl<'w>], &[Beacon]) {
+        (&self.vpls[range.clone()], &self.beacons[range])
+    }
+
+    /// The vertices within the limit, each with the emitter that its light is from.
+    pub fn with_sources(&self) -> impl Iterator<Item = (&Vpl<'w>, u32)> {
+        let ranges = self.vpl_starts.iter().zip(&self.cuts).map(|(start, cut)| *start..*cut);
+        ranges.flat_map(|range| self.vpls[range.clone()].iter().zip(self.sources[range].iter().copied()))
     }
 }
+
+/// The part that has the light of longer paths than allowed.
+pub const CUT_OFF: &str = "cut-off";
 
 /// Without a clamp weights must stay finite all the same [m⁻²].
 const FARTHEST_BOUND: f32 = 1e12;
@@ -316,6 +333,8 @@ fn golden_stride(count: u32) -> u32 {
 struct Traced<'w> {
     light: Option<Vpl<'w>>,
     vertices: Vec<Vpl<'w>>,
+    /// Those that paths of the allowed length do not reach.
+    beyond: Vec<Vpl<'w>>,
     rays: u64,
 }
 
@@ -347,8 +366,9 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut flux = start.flux;
     let mut last: Option<Surface<'w>> = None;
     // A vertex of generation j is j + 2 segments from the eye at least.
-    let last_generation = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));
-    for generation in 1..=last_generation {
+    let limit = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));
+    let mut beyond = Vec::new();
+    for generation in 1..=if settings.parts.iter().any(|part| part == CUT_OFF) { u32::MAX } else { limit } {
         let expected = plan.expected(path.emitter, generation);
         if path.rank >= expected {
             break;
@@ -356,7 +376,8 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         rays += 1;
         let Some(y) = world.closest(&ray) else { break };
         flux *= y.clear_from(ray.origin, last.as_ref());
-        deposit(&y, flux * (share / expected as f32), plan.bound, &mut vertices);
+        let vertices = if generation <= limit { &mut vertices } else { &mut beyond };
+        deposit(&y, flux * (share / expected as f32), plan.bound, vertices);
 
         let (s, d) = y.finish.weights();
         if s + d <= 0.0 {
@@ -383,7 +404,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         ray = Ray::new(y.spawn(scatter.wi), scatter.wi);
         last = Some(y);
     }
-    Traced { light, vertices, rays }
+    Traced { light, vertices, beyond, rays }
 }
 
 /// Leaves virtual point lights at a vertex: one on each side to which its dull lobes send light.

@@ -22,7 +22,7 @@ pub struct Settings {
     /// Virtual lights that each packet of pixels picks by what they would give it unshadowed; `None` for all.
     pub picks: Option<u32>,
     /// Segments of the longest paths whose light is counted, from the lamp to the eye; `None` for all of them. A limit is a
-    /// bias: it takes the light of longer paths from `vpl`, and counts for `vpl` alone.
+    /// bias: it takes the light of longer paths from `vpl`, and counts for `vpl` alone. What it takes is the part *cut-off*.
     pub longest: Option<u32>,
     /// How generations of particles thin out.
     pub absorption: Absorption,

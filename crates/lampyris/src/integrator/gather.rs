@@ -11,7 +11,7 @@ use crate::eye::{LANES, Packet, Tile, Visible};
 use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes};
 use crate::light::Shine;
 use crate::material::{Class, Glossy};
-use crate::particle::Vpl;
+use crate::particle::{Beacon, Vpl};
 use crate::sequence::ledger::eye as ledger;
 use crate::world::{Surface, World};
 use glam::Vec3;
@@ -162,21 +162,31 @@ fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], ray
     }
 }
 
-/// Adds what every point of a tile receives from the virtual lights of a pass, as many of them as settings allow.
-pub(super) fn tile_of_vpls(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
+/// Adds what every point of a tile receives from those virtual lights of a pass that `which` names of each group, as many
+/// of them as settings allow.
+pub(super) fn tile_of_vpls<'w>(
+    pass: &Pass<'w>,
+    tile: &Tile<'_>,
+    which: impl Fn(&'w Lights<'w>) -> (&'w [Vpl<'w>], &'w [Beacon]),
+    out: &mut [Vec<Rgb>],
+    rays: &mut u64,
+) {
     let (world, kernel) = (pass.world, pass.world.tracer().kernel());
-    let picking = |lights: &Lights<'_>| lights.picks(pass.settings);
-    for (lights, out) in pass.zip(out).filter(|(lights, _)| picking(lights).is_none()) {
-        self::tile(world, tile, lights.vpls, out, rays);
+    let picks = |lights: &'w Lights<'w>| lights.picks(pass.settings, which(lights).0);
+    for (lights, out) in pass.zip(out).filter(|(lights, _)| picks(lights).is_none()) {
+        self::tile(world, tile, which(lights).0, out, rays);
+    }
+    if pass.lights.iter().all(|lights| picks(lights).is_none()) {
+        return;
     }
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
         for (lights, out) in pass.zip(out) {
-            let Some(most) = picking(lights) else { continue };
+            let (Some(most), (vpls, beacons)) = (picks(lights), which(lights)) else { continue };
             let mut any = false;
-            pick(kernel, p, (lights.beacons, Open), most, lights.turned(u), |k, factor| {
-                gathered.add(world, &lights.vpls[k], factor, &mut Occluder::default(), rays);
+            pick(kernel, p, (beacons, Open), most, lights.turned(u), |k, factor| {
+                gathered.add(world, &vpls[k], factor, &mut Occluder::default(), rays);
                 any = true;
             });
             if any {

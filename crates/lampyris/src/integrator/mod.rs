@@ -7,6 +7,7 @@
 mod caustic;
 mod caustic_path;
 mod compensation;
+mod cut_off;
 mod direct;
 mod emission;
 pub mod gather;
@@ -57,13 +58,15 @@ pub struct Lights<'w> {
     pub vpls: &'w [Vpl<'w>],
     /// The same for picking among them.
     pub beacons: &'w [Beacon],
+    /// Virtual lights of longer paths than allowed, where they are asked for.
+    pub beyond: (&'w [Vpl<'w>], &'w [Beacon]),
 }
 
 impl Lights<'_> {
-    /// How many of its virtual lights a packet picks in the mean; `None` for all.
-    fn picks(&self, settings: &Settings) -> Option<f32> {
+    /// How many of `of` of its virtual lights a packet picks in the mean; `None` for all.
+    fn picks(&self, settings: &Settings, of: &[Vpl<'_>]) -> Option<f32> {
         let most = settings.picks? as f32 * self.share;
-        (most < self.vpls.len() as f32).then_some(most)
+        (most < of.len() as f32).then_some(most)
     }
 
     /// A number in [0, 1) as this group uses it: groups of small shares take turns.
@@ -117,6 +120,7 @@ pub static ALL: &[&dyn Integrator] = &[
     &emission::Emission,
     &direct::Direct,
     &vpl::VirtualLights,
+    &cut_off::CutOff,
     &compensation::Compensation,
     &mirror::Mirror,
     &caustic::Caustic,

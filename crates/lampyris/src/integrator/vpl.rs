@@ -19,6 +19,6 @@ impl Integrator for VirtualLights {
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
-        gather::tile_of_vpls(pass, tile, out, &mut rays.shadow);
+        gather::tile_of_vpls(pass, tile, |lights| (lights.vpls, lights.beacons), out, &mut rays.shadow);
     }
 }
