@@ -160,6 +160,10 @@ pub(crate) struct PlayArgs {
     /// Also measure flicker, against frames of that many batches
     #[arg(long, value_name = "BATCHES", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) flicker: Option<u32>,
+    /// Sum the light of up to N groups of lamps apart: a lamp that a track only dims is weighted otherwise, and no light is
+    /// rendered anew
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) groups: Option<u32>,
     /// Another seed, other pictures of the same mean
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) seed: u32,

@@ -160,7 +160,8 @@ impl Player {
     ) -> Result<Player, Failure> {
         let threads = args.threads.map(|n| n as usize);
         let cpu = Cpu::new(threads)?;
-        let world = cpu.install(|| World::new(scene));
+        let mut world = cpu.install(|| World::new(scene));
+        cpu.install(|| args.groups.map_or(Ok(()), |most| world.separate(most as usize)))?;
         let aspect = size.0 as f32 / size.1 as f32;
         let chosen = cpu.install(|| viewing::choose(&args.view, &world, aspect))?;
         let settings =

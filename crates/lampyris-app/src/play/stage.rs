@@ -24,6 +24,8 @@ enum Lamp {
     Light(u32, LightKind),
     /// The material of a surface.
     Glow(u32, Rgb),
+    /// A light group, which is weighted.
+    Group(u16, Rgb),
 }
 
 /// An instance, where the file has it, and the middle of the object that it belongs to.
@@ -45,11 +47,12 @@ impl Stage {
         let mut lights = Vec::new();
         for (k, track) in script.lights.iter().enumerate() {
             let place = || format!("lights[{k}]");
-            let lamps = lamps(scene, &track.name);
+            let moves = track.keys.iter().any(|key| key.position.is_some());
+            let group = if moves { None } else { group(scene, &track.name) };
+            let lamps = group.map_or_else(|| lamps(scene, &track.name), |group| vec![group]);
             if lamps.is_empty() {
                 return Err(bad(place(), unknown("light", &track.name, lamp_names(scene))));
             }
-            let moves = track.keys.iter().any(|key| key.position.is_some());
             let placed = |lamp: &Lamp| matches!(lamp, Lamp::Light(_, kind) if with_position(kind, Vec3::ZERO).is_some());
             if moves && !lamps.iter().all(placed) {
                 let mend = "is a surface or infinitely far; a surface is moved by a track of \"objects\"";
@@ -92,6 +95,7 @@ impl Stage {
                     let brightness = moved.brightness() * power;
                     Edit::Light { light: *light, kind: moved.with_brightness(brightness) }
                 }
+                Lamp::Group(group, color) => Edit::Mix { group: *group, color: *color * power },
                 Lamp::Glow(material, emission) => {
                     Edit::Emission { material: *material, emission: *emission * power }
                 }
@@ -145,6 +149,12 @@ fn lamps(scene: &Scene, name: &str) -> Vec<Lamp> {
         .collect();
     lamps.extend(materials.into_iter().map(|m| Lamp::Glow(m, scene.materials[m as usize].emission)));
     lamps
+}
+
+/// The light group of a name.
+fn group(scene: &Scene, name: &str) -> Option<Lamp> {
+    let found = (0..).zip(&scene.groups).find(|(_, group)| group.name == name);
+    found.map(|(number, group)| Lamp::Group(number, group.color))
 }
 
 /// Materials of a mesh that glow.
