@@ -1,10 +1,11 @@
 //! Caustic photons: light that comes to a dull surface over sharp ones [Jarosz05; Wald et al. 2002].
 //!
-//! Photons leave the lights and the vertices of the walk, aimed at what reflects or refracts sharply (`aim`). Each
-//! follows sharp lobes alone and stays at every dull surface that it meets after one of them (`follow`). A density
-//! estimate tells what a point receives ([`Grid`]); its radius shrinks from batch to batch, so that the mean of all
-//! batches has no bias in the end [Knaus and Zwicker 2011]. Photons over a single planar mirror are left out: that light
-//! is the part *mirror*. Nothing here knows of pixels; a map follows from world, settings, walk and batch.
+//! Photons leave the lights and the vertices of the walk, aimed at what reflects or refracts sharply (`aim`), those that
+//! fly alike one after the other (`flight`). Each follows sharp lobes alone and stays at every dull surface that it meets
+//! after one of them (`follow`). A density estimate tells what a point receives ([`Grid`]); its radius shrinks from batch
+//! to batch, so that the mean of all batches has no bias in the end [Knaus and Zwicker 2011]. Photons over a single planar
+//! mirror are left out: that light is the part *mirror*. Nothing here knows of pixels; a map follows from world, settings,
+//! walk and batch.
 
 mod aim;
 mod flight;
