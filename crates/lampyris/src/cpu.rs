@@ -288,16 +288,17 @@ impl Job {
     /// What a batch of one eye pass saw in a tile.
     fn glimpse(&self, rect: Rect, tiles: &[Tile<'_>], parts: &[Vec<Rgb>]) -> Glimpse {
         let mut glimpse = Glimpse::new(rect);
-        let parts = || self.integrators.iter().zip(parts).filter(|(i, _)| i.name() != "emission");
+        let of = |smooth: bool| -> Vec<&[Rgb]> {
+            let kind = |i: &&dyn Integrator| i.name() != "emission" && i.is_smooth() == smooth;
+            let pairs = self.integrators.iter().zip(parts);
+            pairs.filter(|(i, _)| kind(i)).map(|(_, part)| part.as_slice()).collect()
+        };
+        let (smooth, rest) = (of(true), of(false));
+        let sum = |parts: &[&[Rgb]], at: usize| parts.iter().fold(Rgb::BLACK, |s, part| s + part[at]);
         for p in tiles.iter().flat_map(|tile| &tile.packets) {
             for k in p.lanes() {
                 let at = p.pixels[k] as usize;
-                let sum = |smooth: bool| {
-                    parts()
-                        .filter(|(i, _)| i.is_smooth() == smooth)
-                        .fold(Rgb::BLACK, |s, (_, part)| s + part[at])
-                };
-                glimpse.light(at, sum(true), sum(false), p.emission[k]);
+                glimpse.light(at, sum(&smooth, at), sum(&rest, at), p.emission[k]);
             }
             for k in lanes(p.live) {
                 let (position, normal) = (lane(&p.position, k), lane(&p.shading, k));
