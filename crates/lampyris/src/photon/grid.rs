@@ -42,7 +42,8 @@ impl Grid {
         let extent = photons.iter().fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[lo, hi], p| {
             [lo.min(p.position), hi.max(p.position)]
         });
-        let buckets = photons.len().next_power_of_two().max(BUCKETS);
+        // Several for each photon: few cells share one, and a query looks at few photons from elsewhere.
+        let buckets = (4 * photons.len()).next_power_of_two().max(BUCKETS);
         let mut grid = Grid {
             radius,
             per_cell: 0.5 / radius,
