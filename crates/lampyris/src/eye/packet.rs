@@ -188,12 +188,7 @@ impl<'w> Packet<'w> {
     }
 
     /// Camera rays share their origin: they are traced as a packet, what follows a sharp lobe one by one.
-    pub(super) fn look_through(
-        &mut self,
-        view: &View,
-        samplings: &[&Sampling; LANES],
-        rays: &mut Rays,
-    ) {
+    pub(super) fn look_through(&mut self, view: &View, samplings: &[&Sampling; LANES], rays: &mut Rays) {
         let world = self.world;
         let inside = self.lanes().fold(0u16, |mask, k| mask | 1 << k);
         rays.eye += u64::from(inside.count_ones());

@@ -224,14 +224,7 @@ impl<'p, 'w> Gathered<'p, 'w> {
     }
 
     /// Adds `factor` times the light of one light.
-    fn add(
-        &mut self,
-        world: &World,
-        light: &Vpl<'_>,
-        factor: f32,
-        occluder: &mut Occluder,
-        rays: &mut u64,
-    ) {
+    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, occluder: &mut Occluder, rays: &mut u64) {
         let p = self.packet;
         let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
         let kernel = world.tracer().kernel();
