@@ -225,10 +225,10 @@ impl<'w> Packet<'w> {
             let ray = Ray::new(view.eye(), lane(&directions, k));
             let first = hits.get(k);
             let ended = follow(world, ray, first, self.numbers[k], &mut self.emission[k], rays);
-            if let Some(Ended { direction, hit, throughput }) = ended {
-                self.end_on(k, &world.surface(direction, &hit));
+            if let Some(Ended { surface, hit, throughput }) = ended {
+                self.end_on(k, &surface);
                 self.throughput[k] = throughput;
-                last[k] = Some((direction, hit));
+                last[k] = Some((-surface.wo, hit));
             }
         }
         self.ends = Ends::Camera { directions, hits, last };
