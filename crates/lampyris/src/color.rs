@@ -53,7 +53,7 @@ impl Rgb {
 
     /// True where every channel is a finite number.
     pub fn is_finite(self) -> bool {
-        self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
+        self.r.is_finite() & self.g.is_finite() & self.b.is_finite()
     }
 
     /// Each channel through `f`.

@@ -203,6 +203,11 @@ impl World {
         self.mirrors.all()
     }
 
+    /// Which planar mirror a hit lies in.
+    pub fn mirror_of(&self, hit: &Hit) -> Option<u8> {
+        self.mirrors.of(hit.instance, hit.triangle)
+    }
+
     /// The first surface on a ray of unit direction.
     pub fn closest(&self, ray: &Ray) -> Option<Surface<'_>> {
         self.tracer.closest(ray).map(|hit| self.surface(ray.direction, &hit))
@@ -235,7 +240,7 @@ impl World {
             instance: hit.instance,
             triangle: hit.triangle,
             material: facet.material,
-            mirror: self.mirrors.of(hit.instance, hit.triangle),
+            mirror: self.mirror_of(hit),
         }
     }
 

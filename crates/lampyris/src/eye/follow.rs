@@ -7,7 +7,6 @@ use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::{Finish, Surface, World};
-use glam::Vec3;
 
 /// Sharp vertices after which an eye path is continued by roulette.
 const CERTAIN_VERTICES: u32 = 6;
@@ -19,11 +18,10 @@ const MAX_VERTICES: u32 = 1024;
 const SUREST: f32 = 0.98;
 
 /// How an eye path came to its first dull vertex.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ended {
-    /// Of the last ray.
-    pub(super) direction: Vec3,
-    /// What it met.
+pub(super) struct Ended<'w> {
+    /// The vertex, seen along the last ray.
+    pub(super) surface: Surface<'w>,
+    /// What that ray met.
     pub(super) hit: Hit,
     /// What radiance of that vertex is multiplied by on its way to the eye.
     pub(super) throughput: Rgb,
@@ -59,14 +57,14 @@ pub(super) fn next(finish: &Finish, numbers: Numbers, vertex: u32) -> Next {
 
 /// Follows an eye path through sharp lobes to its first dull vertex, telling of what glows on the way: which emitter, and
 /// what of its light the eye sees [cd/m²].
-pub(super) fn follow(
-    world: &World,
+pub(super) fn follow<'w>(
+    world: &'w World,
     mut ray: Ray,
     first: Option<Hit>,
     numbers: Numbers,
     mut gleam: impl FnMut(u32, Rgb),
     rays: &mut Rays,
-) -> Option<Ended> {
+) -> Option<Ended<'w>> {
     let mut throughput = Rgb::WHITE;
     // Density with which the current ray was chosen; infinite if no light could have been sampled instead.
     let mut pdf = f32::INFINITY;
@@ -91,7 +89,7 @@ pub(super) fn follow(
         match next(&surface.finish, numbers, vertex) {
             Next::Lost => return None,
             Next::Ends(weight) => {
-                return Some(Ended { direction: ray.direction, hit: at, throughput: throughput * weight });
+                return Some(Ended { surface, hit: at, throughput: throughput * weight });
             }
             Next::GoesOn(weight) => throughput *= weight,
         }

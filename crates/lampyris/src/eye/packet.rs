@@ -241,10 +241,10 @@ impl<'w> Packet<'w> {
                 }
             };
             let ended = follow(world, ray, first, self.numbers[k], gleam, rays);
-            if let Some(Ended { direction, hit, throughput }) = ended {
-                self.end_on(k, &world.surface(direction, &hit));
+            if let Some(Ended { surface, hit, throughput }) = ended {
+                self.end_on(k, &surface);
                 self.throughput[k] = throughput;
-                last[k] = Some((direction, hit));
+                last[k] = Some((-surface.wo, hit));
             }
         }
         self.ends = Ends::Camera { directions, hits, last };

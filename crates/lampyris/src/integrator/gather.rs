@@ -8,7 +8,7 @@ use super::pick::{Open, pick, pick_for_point};
 use super::{Lights, Pass};
 use crate::color::Rgb;
 use crate::eye::{LANES, Packet, Tile, Visible};
-use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes};
+use crate::geometry::{Kernel, Occluder, Ray, Wide, lanes, positive};
 use crate::light::Shine;
 use crate::material::{Class, Glossy};
 use crate::particle::{Beacon, Vpl};
@@ -336,32 +336,33 @@ impl Wide for Sum<'_> {
     }
 }
 
-/// `geometry_term` for sixteen opaque reflectors, and the lanes where it is not zero.
+/// `geometry_term` for sixteen opaque reflectors, and the lanes of `of` where it is not zero.
 pub(super) fn geometry_terms(
     kernel: Kernel,
     light: &Vpl<'_>,
     packet: &Packet<'_>,
     of: u16,
 ) -> ([f32; LANES], u16) {
-    kernel.run(Terms { light, packet, of })
+    if of == 0 {
+        return ([0.0; LANES], 0);
+    }
+    let g = kernel.run(Terms { light, packet });
+    let lit = positive(&g) & of;
+    (g, lit)
 }
 
 struct Terms<'a, 'l, 'w> {
     light: &'a Vpl<'l>,
     packet: &'a Packet<'w>,
-    of: u16,
 }
 
 impl Wide for Terms<'_, '_, '_> {
-    type Out = ([f32; LANES], u16);
+    type Out = [f32; LANES];
 
     #[inline(always)]
-    fn run(self) -> ([f32; LANES], u16) {
-        let Terms { light, packet: p, of } = self;
+    fn run(self) -> [f32; LANES] {
+        let Terms { light, packet: p } = self;
         let mut g = [0.0; LANES];
-        if of == 0 {
-            return (g, 0);
-        }
         let y = light.position;
         let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         let mut cos_y = [1.0; LANES];
@@ -396,10 +397,9 @@ impl Wide for Terms<'_, '_, '_> {
             }
             Shine::Distant => {}
         }
-        let mut lit = 0u16;
         for k in 0..LANES {
-            lit |= u16::from(g[k] > 0.0 && front[k] > 0.0) << k;
+            g[k] = if (g[k] > 0.0) & (front[k] > 0.0) { g[k] } else { 0.0 };
         }
-        (g, lit & of)
+        g
     }
 }

@@ -162,3 +162,103 @@ impl Lobe {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Frame, Kernel};
+    use crate::material::{Class, Diffuse, Ward};
+    use crate::sampling::uniform_sphere;
+    use crate::sequence::uniform;
+
+    /// The lobes of sixteen points, and that of a light toward them.
+    struct Lobes<'a> {
+        points: &'a GlossyPoints,
+        normal: &'a Three,
+        light: &'a Lobe,
+        wi: &'a Three,
+    }
+
+    impl Wide for Lobes<'_> {
+        type Out = [[f32; LANES]; 2];
+
+        #[inline(always)]
+        fn run(self) -> [[f32; LANES]; 2] {
+            let mut out = [[0.0; LANES]; 2];
+            self.points.toward(self.normal, self.wi, &mut out[0]);
+            self.light.toward(self.wi, &mut out[1]);
+            out
+        }
+    }
+
+    fn direction(i: u32, k: usize, purpose: u32) -> Vec3 {
+        uniform_sphere([uniform(purpose, i, 2 * k as u32), uniform(purpose, i, 2 * k as u32 + 1)])
+    }
+
+    /// On the side of `normal`.
+    fn above(normal: Vec3, w: Vec3) -> Vec3 {
+        if w.dot(normal) < 0.0 { -w } else { w }
+    }
+
+    fn ward(alpha: f32) -> Ward {
+        let black = Diffuse { reflectance: Rgb::BLACK, transmittance: Rgb::BLACK };
+        let (specular, transmission) = (Rgb::WHITE, Rgb::BLACK);
+        Ward { base: black, specular, alpha, transmission, transmission_alpha: 0.0 }
+    }
+
+    fn alone(alpha: f32, normal: Vec3, wo: Vec3, wi: Vec3) -> f32 {
+        let frame = Frame::new(normal);
+        ward(alpha).eval(Class::Dull, frame.to_local(wo), frame.to_local(wi)).r
+    }
+
+    #[test]
+    fn sixteen_lobes_are_single_lobes_and_kernels_agree() {
+        for i in 0..2000 {
+            let alpha = 0.15 + 0.8 * uniform(9, i, 0);
+            let zero = [0.0; LANES];
+            let mut points = GlossyPoints {
+                of: 0,
+                tangent: [zero; 3],
+                height: zero,
+                sharpness: [sharpness(alpha); LANES],
+            };
+            let (mut normal, mut wi, mut wo) = ([zero; 3], [zero; 3], [Vec3::ZERO; LANES]);
+            let light_normal = direction(i, 0, 1);
+            for k in 0..LANES {
+                let toward = -above(light_normal, direction(i, k, 2));
+                let n = above(toward, direction(i, k, 3));
+                wo[k] = above(n, direction(i, k, 4));
+                let (tangent, cosine) = parts(wo[k], n);
+                points.height[k] = cosine;
+                for axis in 0..3 {
+                    (points.tangent[axis][k], normal[axis][k], wi[axis][k]) =
+                        (tangent[axis], n[axis], toward[axis]);
+                }
+            }
+            let arrived = above(light_normal, direction(i, 0, 5));
+            let (tangent, height) = parts(arrived, light_normal);
+            let value = Rgb::WHITE;
+            let light = Lobe { normal: light_normal, tangent, height, sharpness: sharpness(alpha), value };
+            let lobes = |kernel: Kernel| {
+                kernel.run(Lobes { points: &points, normal: &normal, light: &light, wi: &wi })
+            };
+            let plain = lobes(Kernel::Portable);
+            for kernel in [Kernel::Avx2, Kernel::Avx512] {
+                assert_eq!(lobes(kernel).map(|l| l.map(f32::to_bits)), plain.map(|l| l.map(f32::to_bits)));
+            }
+            for k in 0..LANES {
+                let toward = lane(&wi, k);
+                let at_point = alone(alpha, lane(&normal, k), wo[k], toward);
+                let at_light = alone(alpha, light_normal, arrived, -toward);
+                for (found, expected, cosine) in [
+                    (plain[0][k], at_point, points.height[k]),
+                    (plain[1][k], at_light, light_normal.dot(toward).abs()),
+                ] {
+                    // Below the least cosine the clear version is asked by `Surface` with that one.
+                    let near = (found - expected).abs() <= 1e-4 * expected + 1e-5;
+                    assert!(near || cosine < GRAZING, "{found} for {expected}");
+                }
+            }
+        }
+    }
+}

@@ -79,13 +79,8 @@ fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [R
         .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
         .collect();
     for p in tile.packets.iter().filter(|p| p.live != 0) {
-        let mut radiance = packet(world, p, &images, rays);
-        if let Some(most) = picks {
-            let picked = picked(world, lights, p, &many, most);
-            let more = packet(world, p, &picked, rays);
-            lanes(p.live).for_each(|k| radiance[k] += more[k]);
-        }
-        gather::add(p, &radiance, out);
+        let picked = picks.map_or(Vec::new(), |most| picked(world, lights, p, &many, most));
+        gather::add(p, &packet(world, p, images.iter().chain(&picked), rays), out);
     }
 }
 
@@ -263,7 +258,12 @@ impl<'w> Image<'w> {
 
 /// Radiance leaving each point of a packet by a list of images [cd/m²]: [`Image::light_at`], but with one packet of rays
 /// from each light to the mirror.
-fn packet(world: &World, p: &Packet<'_>, images: &[Image<'_>], rays: &mut u64) -> [Rgb; LANES] {
+fn packet<'i>(
+    world: &World,
+    p: &Packet<'_>,
+    images: impl Iterator<Item = &'i Image<'i>>,
+    rays: &mut u64,
+) -> [Rgb; LANES] {
     let mut points = gather::Points::new(p);
     let mut radiance = [Rgb::BLACK; LANES];
     for image in images {
@@ -309,8 +309,8 @@ fn shares_seen(
     let mut share = [Rgb::BLACK; LANES];
     for k in lanes(lit) {
         let direction = lane(&directions, k);
-        let at = hits.get(k).map(|hit| world.surface(direction, &hit));
-        if let Some(at) = at.filter(|at| at.mirror == Some(image.number)) {
+        let met = hits.get(k).filter(|hit| world.mirror_of(hit) == Some(image.number));
+        if let Some(at) = met.map(|hit| world.surface(direction, &hit)) {
             *rays += 1;
             if !world.tracer().blocked(at.spawn(at.wo), point(k)) {
                 share[k] = at.mirrored().1 * at.clear_from(origin, image.source.gloss.as_ref());

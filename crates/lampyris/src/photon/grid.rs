@@ -46,7 +46,8 @@ impl Grid {
         let nothing = || [Vec3::INFINITY, Vec3::NEG_INFINITY];
         let union = |[lo, hi]: [Vec3; 2], [low, high]: [Vec3; 2]| [lo.min(low), hi.max(high)];
         let extent = photons.par_iter().map(|p| [p.position; 2]).reduce(nothing, union);
-        let buckets = photons.len().next_power_of_two().max(BUCKETS);
+        // Several for each photon: few cells share one, and a query looks at few photons from elsewhere.
+        let buckets = (4 * photons.len()).next_power_of_two().max(BUCKETS);
         let mut grid = Grid {
             radius,
             per_cell: 0.5 / radius,
