@@ -124,7 +124,7 @@ fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
     beacons.iter().map(image).collect()
 }
 
-/// The images of virtual lights that a packet traces: the stronger a mirror the more, of all groups one at least.
+/// The images of virtual lights that a packet traces: the stronger a mirror the more.
 fn picked<'w>(
     world: &'w World,
     lights: &Lights<'w>,
@@ -136,7 +136,7 @@ fn picked<'w>(
     let mut images = Vec::new();
     for (number, beacons) in many {
         let plane = &world.mirrors()[*number as usize];
-        let share = (MIRRORED * most * plane.strength()).max(lights.share);
+        let share = MIRRORED * most * plane.strength();
         let u = lights.turned(first.branch(u32::from(*number)).one(ledger::PICK));
         pick(world.tracer().kernel(), p, (beacons, plane), share, u, |k, factor| {
             let image = Image::new(plane, *number, &lights.vpls[k]);
