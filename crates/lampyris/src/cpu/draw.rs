@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Least edge of a tile [pixels]: its visible points and sums stay in the nearest cache.
-const TILE: u32 = 48;
+const TILE: u32 = 16;
 
 /// How far from each other's tangent plane the vertices of neighbouring pixels may lie and still be of one surface
 /// [edges of a pixel].
@@ -75,7 +75,7 @@ struct Summed {
 }
 
 /// Tiles that are worked on together, at least, before they are summed: all threads are busy, and little waits.
-const TOGETHER: usize = 64;
+const TOGETHER: usize = 128;
 
 impl Job {
     /// Adds a batch to the light groups that have the fewest: to all, unless some began anew.
@@ -297,11 +297,16 @@ impl Job {
                     glimpse.gleam(layer, p.pixels[gleam.lane] as usize, gleam.radiance);
                 }
             }
+            for k in p.lanes() {
+                if let Some((surface, by_chance)) = p.alike(k) {
+                    glimpse.surface(p.pixels[k] as usize, surface, by_chance);
+                }
+            }
             for k in lanes(p.live) {
                 let (position, normal) = (lane(&p.position, k), lane(&p.shading, k));
                 let tint = p.throughput[k] * p.reflectance[k];
                 let slack = self.eye.pixel_size(position) * SLACK;
-                glimpse.place(p.pixels[k] as usize, position, normal, p.alike(k), tint, slack);
+                glimpse.place(p.pixels[k] as usize, position, normal, tint, slack);
             }
         }
         glimpse

@@ -159,14 +159,23 @@ impl<'w> Packet<'w> {
         Some(First { albedo, normal: s.shading, depth: hit.t, instance: s.instance })
     }
 
-    /// A number that tells the surface of a live lane from others: of its instance and material.
-    pub fn alike(&self, k: usize) -> u32 {
-        let Ends::Camera { hits, last, .. } = &self.ends else { return 0 };
+    /// A number that tells the surface that a lane sees from others, of its instance and material, and whether chance led
+    /// the path on from there, though it might have ended. Of a lane that sees through mirrors and glass it is the surface at
+    /// the end.
+    pub fn alike(&self, k: usize) -> Option<(u32, bool)> {
+        let Ends::Camera { hits, last, .. } = &self.ends else { return None };
+        let first = hits.get(k)?;
+        let polished = self.live >> k & 1 == 0 || last[k].is_some();
+        let polished = polished && self.world.finish(first.instance, first.triangle).weights().1 > 0.0;
         let (instance, triangle) = match &last[k] {
-            Some((_, hit)) => (hit.instance, hit.triangle),
-            None => (hits.instance[k], hits.triangle[k]),
+            Some((_, hit)) if !polished => (hit.instance, hit.triangle),
+            _ => (first.instance, first.triangle),
         };
-        sequence::hash(instance, self.world.facets().material(instance, triangle))
+        let went_on = last[k].as_ref().is_none_or(|(_, hit)| *hit != first);
+        Some((
+            sequence::hash(instance, self.world.facets().material(instance, triangle)),
+            polished && went_on,
+        ))
     }
 
     /// The box around the points of live lanes.

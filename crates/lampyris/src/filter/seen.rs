@@ -17,7 +17,8 @@ pub(super) const POSITION: usize = 3;
 pub(super) const NORMAL: usize = 6;
 /// How far from its tangent plane a vertex of the next pixel may lie [m].
 pub(super) const SLACK: usize = 9;
-/// A number that tells surfaces of one instance and material from others.
+/// A number that tells surfaces of one instance and material from others: less than 0 where the vertex is elsewhere by
+/// chance, 0 where nothing is seen.
 pub(super) const ALIKE: usize = 10;
 /// Where the light of the first layer begins, then that of the next.
 const LIGHT: usize = 11;
@@ -75,14 +76,21 @@ impl Glimpse {
         Glimpse { rect, values: vec![0.0; lit(layers) * (rect.width * rect.height) as usize] }
     }
 
-    /// Notes the vertex of pixel `k`: where it is, its normal, what tells it from other surfaces, what it multiplies light
-    /// by, and how far from its tangent plane a vertex of the next pixel may lie [m].
-    pub fn place(&mut self, k: usize, position: Vec3, normal: Vec3, alike: u32, tint: Rgb, slack: f32) {
+    /// Notes the vertex of pixel `k`: where it is, its normal, what it multiplies light by, and how far from its tangent
+    /// plane a vertex of the next pixel may lie [m].
+    pub fn place(&mut self, k: usize, position: Vec3, normal: Vec3, tint: Rgb, slack: f32) {
         self.set(POSITION, k, position.to_array());
         self.set(NORMAL, k, normal.to_array());
         self.set(TINT, k, tint.to_array());
-        // Numbers below 2²⁴ are exact.
-        self.set(SLACK, k, [slack, (alike >> 8) as f32]);
+        self.set(SLACK, k, [slack]);
+    }
+
+    /// Notes what tells the surface that pixel `k` sees from others, and whether chance led the path on from there: its
+    /// vertex is then elsewhere, but no edge.
+    pub fn surface(&mut self, k: usize, number: u32, by_chance: bool) {
+        // Numbers up to 2²⁴ are exact.
+        let number = ((number >> 8) + 1) as f32;
+        self.set(ALIKE, k, [if by_chance { -number } else { number }]);
     }
 
     /// Adds light of a layer that neighbours may share, of all pixels row by row.

@@ -26,7 +26,8 @@ fn seen(at: impl Fn(u32, u32) -> Option<Pixel>) -> Seen {
         for k in 0..rect.width * rect.height {
             let (x, y) = rect.pixel(k);
             if let Some((position, normal, alike, tint, light)) = at(x, y) {
-                glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
+                glimpse.place(k as usize, position, normal, tint, SLACK);
+                glimpse.surface(k as usize, alike << 8, false);
                 lit[k as usize] = tint * light;
             }
         }
@@ -188,7 +189,8 @@ fn bands_leave_no_trace() {
                 for k in 0..rect.width * rect.height {
                     let (x, y) = rect.pixel(k);
                     let (position, normal, alike, tint, light) = bumpy(x, y).expect("a surface");
-                    glimpse.place(k as usize, position, normal, alike << 8, tint, SLACK);
+                    glimpse.place(k as usize, position, normal, tint, SLACK);
+                    glimpse.surface(k as usize, alike << 8, false);
                     lit[k as usize] = tint * light;
                 }
                 add(&mut glimpse, &lit);

@@ -108,11 +108,15 @@ impl Wide for Shed<'_, '_> {
     fn run(self) {
         let Shed { plain, glossy, packet: p, points, light, law, g, of } = self;
         // Unit directions toward the light.
+        let away = |axis: usize, k: usize| light[axis] - p.position[axis][k];
+        let mut reciprocal = [0.0; LANES];
+        for (k, reciprocal) in reciprocal.iter_mut().enumerate() {
+            let d = [away(0, k), away(1, k), away(2, k)];
+            *reciprocal = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+        }
         let mut wi = [[0.0; LANES]; 3];
-        for k in 0..LANES {
-            let d = [0, 1, 2].map(|axis| light[axis] - p.position[axis][k]);
-            let reciprocal = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
-            (0..3).for_each(|axis| wi[axis][k] = d[axis] * reciprocal);
+        for (axis, wi) in wi.iter_mut().enumerate() {
+            (0..LANES).for_each(|k| wi[k] = away(axis, k) * reciprocal[k]);
         }
         let mut at_light = [0.0; LANES];
         if let Some(lobe) = &law.lobe {

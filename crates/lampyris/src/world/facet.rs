@@ -35,6 +35,8 @@ pub struct Facets {
 struct Triangle {
     vertices: [u32; 3],
     material: u32,
+    /// Of the front side: every hit asks for it.
+    normal: Vec3,
 }
 
 /// Places in the lists of [`Facets`].
@@ -95,6 +97,7 @@ impl Facets {
         let triangles = mesh.triangles.iter().zip(&mesh.materials).map(|(vertices, material)| Triangle {
             vertices: vertices.map(|v| first.position + v),
             material: *material,
+            normal: Vec3::ZERO,
         });
         self.triangles.extend(triangles);
         self.positions.extend(positions(mesh, transform));
@@ -130,12 +133,19 @@ impl Facets {
         self.orient(number);
     }
 
-    /// Notes whether an instance is mirrored, and whether it is flat.
+    /// Notes whether an instance is mirrored, where its triangles face, and whether it is flat.
     fn orient(&mut self, number: u32) {
         let Some((mesh, transform)) = self.mesh(number) else { return };
         let (count, smooth) = (mesh.triangles.len() as u32, !mesh.normals.is_empty());
         let mirror = if transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
-        self.places[number as usize] = Place { mirror, flat: false, ..self.places[number as usize] };
+        let place = Place { mirror, flat: false, ..self.places[number as usize] };
+        self.places[number as usize] = place;
+        if let Some(first) = place.first {
+            for triangle in 0..count {
+                let normal = unit_normal(&self.corners(number, triangle)) * mirror;
+                self.triangles[(first.triangle + triangle) as usize].normal = normal;
+            }
+        }
         self.places[number as usize].flat = !smooth || (0..count).all(|t| self.is_flat(number, t));
     }
 
@@ -143,9 +153,16 @@ impl Facets {
     #[inline]
     pub fn get(&self, instance: u32, triangle: u32) -> Facet {
         let corners = self.corners(instance, triangle);
-        let [a, b, c] = corners;
-        let normal = (b - a).cross(c - a).normalize_or_zero() * self.mirror(instance);
-        Facet { corners, normal, material: self.material(instance, triangle) }
+        match self.places[instance as usize].first {
+            Some(first) => {
+                let Triangle { normal, material, .. } = self.triangles[(first.triangle + triangle) as usize];
+                Facet { corners, normal, material }
+            }
+            None => {
+                let normal = unit_normal(&corners) * self.mirror(instance);
+                Facet { corners, normal, material: self.placed(instance).0.materials[triangle as usize] }
+            }
+        }
     }
 
     /// The corners of a triangle, counter-clockwise seen from the front or, where [`Facets::mirror`] is −1, the back.
@@ -251,6 +268,11 @@ fn normals(mesh: &Mesh, transform: &Affine3A) -> impl Iterator<Item = Vec3> {
 fn normal_at(mesh: &Mesh, transform: &Affine3A, vertex: u32) -> Vec3 {
     let given = mesh.normals.get(vertex as usize).copied().unwrap_or_default();
     turned(transform, given).normalize_or_zero()
+}
+
+/// Of the side from which the corners run counter-clockwise; zero for a triangle without area.
+fn unit_normal([a, b, c]: &[Vec3; 3]) -> Vec3 {
+    (*b - *a).cross(*c - *a).normalize_or_zero()
 }
 
 /// Normals transform by the inverse transpose, here the cofactors: no division, no trouble with mirrors.
