@@ -26,8 +26,6 @@ pub struct Facets {
     /// Triangles and vertices [m, world] of the meshes that have one instance.
     triangles: Vec<Triangle>,
     positions: Vec<Vec3>,
-    /// Unit normals of their vertices, where meshes have any; zero where a vertex has none.
-    normals: Vec<Vec3>,
 }
 
 /// A triangle of a mesh that has one instance.
@@ -35,23 +33,13 @@ pub struct Facets {
 struct Triangle {
     vertices: [u32; 3],
     material: u32,
-    /// Of the front side: every hit asks for it.
-    normal: Vec3,
-}
-
-/// Places in the lists of [`Facets`].
-#[derive(Clone, Copy, Debug)]
-struct First {
-    triangle: u32,
-    position: u32,
-    normal: Option<u32>,
 }
 
 /// What all facets of an instance share.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// Where its own begin, if they are there.
-    first: Option<First>,
+    /// Where in `triangles` and in `positions` its own begin, if they are there.
+    first: Option<(u32, u32)>,
     /// −1 where the transform mirrors.
     mirror: f32,
     /// No facet has bent normals.
@@ -76,33 +64,24 @@ impl Facets {
             places: Vec::with_capacity(scene.instances.len()),
             triangles: Vec::with_capacity(once().map(|(m, _)| m.triangles.len()).sum()),
             positions: Vec::with_capacity(once().map(|(m, _)| m.positions.len()).sum()),
-            normals: Vec::new(),
         };
         for (number, instance) in (0..).zip(&scene.instances) {
-            let once = uses.get(instance.mesh as usize) == Some(&1);
-            let first = once.then(|| all.settle(&scene.meshes[instance.mesh as usize], &instance.transform));
+            let first = (uses.get(instance.mesh as usize) == Some(&1))
+                .then_some((all.triangles.len() as u32, all.positions.len() as u32));
+            if let Some((_, base)) = first {
+                let mesh = &scene.meshes[instance.mesh as usize];
+                let moved = mesh.positions.iter().map(|p| instance.transform.transform_point3(*p));
+                all.positions.extend(moved);
+                let pairs = mesh.triangles.iter().zip(&mesh.materials);
+                all.triangles.extend(pairs.map(|(vertices, material)| Triangle {
+                    vertices: vertices.map(|v| base + v),
+                    material: *material,
+                }));
+            }
             all.places.push(Place { first, mirror: 1.0, flat: false });
             all.orient(number);
         }
         all
-    }
-
-    /// Moves a mesh to the only place that it has; where it lies then.
-    fn settle(&mut self, mesh: &Mesh, transform: &Affine3A) -> First {
-        let first = First {
-            triangle: self.triangles.len() as u32,
-            position: self.positions.len() as u32,
-            normal: (!mesh.normals.is_empty()).then_some(self.normals.len() as u32),
-        };
-        let triangles = mesh.triangles.iter().zip(&mesh.materials).map(|(vertices, material)| Triangle {
-            vertices: vertices.map(|v| first.position + v),
-            material: *material,
-            normal: Vec3::ZERO,
-        });
-        self.triangles.extend(triangles);
-        self.positions.extend(positions(mesh, transform));
-        self.normals.extend(first.normal.into_iter().flat_map(|_| normals(mesh, transform)));
-        first
     }
 
     /// An instance was moved, or is new.
@@ -112,13 +91,11 @@ impl Facets {
         match self.places.get(number as usize).map(|place| place.first) {
             None => self.places.push(Place { first: None, mirror: 1.0, flat: false }),
             Some(None) => {}
-            Some(Some(first)) => {
-                if let Some(mesh) = scene.meshes.get(instance.mesh as usize) {
-                    let all = self.positions[first.position as usize..].iter_mut();
-                    all.zip(positions(mesh, &instance.transform)).for_each(|(at, p)| *at = p);
-                    let all = first.normal.map(|k| self.normals[k as usize..].iter_mut());
-                    let all = all.into_iter().flatten();
-                    all.zip(normals(mesh, &instance.transform)).for_each(|(at, n)| *at = n);
+            Some(Some((_, base))) => {
+                let positions = self.positions[base as usize..].iter_mut();
+                let given = scene.meshes.get(instance.mesh as usize).map(|mesh| &mesh.positions);
+                for (at, p) in positions.zip(given.into_iter().flatten()) {
+                    *at = instance.transform.transform_point3(*p);
                 }
             }
         }
@@ -133,19 +110,12 @@ impl Facets {
         self.orient(number);
     }
 
-    /// Notes whether an instance is mirrored, where its triangles face, and whether it is flat.
+    /// Notes whether an instance is mirrored, and whether it is flat.
     fn orient(&mut self, number: u32) {
         let Some((mesh, transform)) = self.mesh(number) else { return };
         let (count, smooth) = (mesh.triangles.len() as u32, !mesh.normals.is_empty());
         let mirror = if transform.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
-        let place = Place { mirror, flat: false, ..self.places[number as usize] };
-        self.places[number as usize] = place;
-        if let Some(first) = place.first {
-            for triangle in 0..count {
-                let normal = unit_normal(&self.corners(number, triangle)) * mirror;
-                self.triangles[(first.triangle + triangle) as usize].normal = normal;
-            }
-        }
+        self.places[number as usize] = Place { mirror, flat: false, ..self.places[number as usize] };
         self.places[number as usize].flat = !smooth || (0..count).all(|t| self.is_flat(number, t));
     }
 
@@ -153,23 +123,16 @@ impl Facets {
     #[inline]
     pub fn get(&self, instance: u32, triangle: u32) -> Facet {
         let corners = self.corners(instance, triangle);
-        match self.places[instance as usize].first {
-            Some(first) => {
-                let Triangle { normal, material, .. } = self.triangles[(first.triangle + triangle) as usize];
-                Facet { corners, normal, material }
-            }
-            None => {
-                let normal = unit_normal(&corners) * self.mirror(instance);
-                Facet { corners, normal, material: self.placed(instance).0.materials[triangle as usize] }
-            }
-        }
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).normalize_or_zero() * self.mirror(instance);
+        Facet { corners, normal, material: self.material(instance, triangle) }
     }
 
     /// The corners of a triangle, counter-clockwise seen from the front or, where [`Facets::mirror`] is −1, the back.
     #[inline]
     pub(super) fn corners(&self, instance: u32, triangle: u32) -> [Vec3; 3] {
-        if let Some(first) = self.places[instance as usize].first {
-            let vertices = &self.triangles[(first.triangle + triangle) as usize].vertices;
+        if let Some((first, _)) = self.places[instance as usize].first {
+            let vertices = &self.triangles[(first + triangle) as usize].vertices;
             return vertices.map(|v| self.positions[v as usize]);
         }
         let (mesh, transform) = self.placed(instance);
@@ -186,7 +149,7 @@ impl Facets {
     #[inline]
     pub fn material(&self, instance: u32, triangle: u32) -> u32 {
         match self.places[instance as usize].first {
-            Some(first) => self.triangles[(first.triangle + triangle) as usize].material,
+            Some((first, _)) => self.triangles[(first + triangle) as usize].material,
             None => self.placed(instance).0.materials[triangle as usize],
         }
     }
@@ -241,38 +204,12 @@ impl Facets {
 
     /// The normals of the corners, unless they are `normal`.
     fn bent(&self, instance: u32, triangle: u32, normal: Vec3) -> Option<[Vec3; 3]> {
-        let given = if let Some(first @ First { normal: Some(k), .. }) = self.places[instance as usize].first
-        {
-            let vertices = &self.triangles[(first.triangle + triangle) as usize].vertices;
-            vertices.map(|v| self.normals[(v - first.position + k) as usize])
-        } else {
-            let (mesh, transform) = self.placed(instance);
-            mesh.triangles[triangle as usize].map(|v| normal_at(mesh, transform, v))
-        };
-        let bent = given.map(|n| if n == Vec3::ZERO { normal } else { n });
+        let (mesh, transform) = self.placed(instance);
+        let given = |v: u32| mesh.normals.get(v as usize).copied().unwrap_or_default();
+        let bent =
+            mesh.triangles[triangle as usize].map(|v| turned(transform, given(v)).normalize_or(normal));
         (!bent.iter().all(|n| n.dot(normal) > FLAT)).then_some(bent)
     }
-}
-
-/// The vertices of a mesh in a place [m, world].
-fn positions(mesh: &Mesh, transform: &Affine3A) -> impl Iterator<Item = Vec3> {
-    mesh.positions.iter().map(|p| transform.transform_point3(*p))
-}
-
-/// The unit normals of its vertices there.
-fn normals(mesh: &Mesh, transform: &Affine3A) -> impl Iterator<Item = Vec3> {
-    (0..mesh.positions.len() as u32).map(|v| normal_at(mesh, transform, v))
-}
-
-/// The unit normal of a vertex in a place; zero if it has none.
-fn normal_at(mesh: &Mesh, transform: &Affine3A, vertex: u32) -> Vec3 {
-    let given = mesh.normals.get(vertex as usize).copied().unwrap_or_default();
-    turned(transform, given).normalize_or_zero()
-}
-
-/// Of the side from which the corners run counter-clockwise; zero for a triangle without area.
-fn unit_normal([a, b, c]: &[Vec3; 3]) -> Vec3 {
-    (*b - *a).cross(*c - *a).normalize_or_zero()
 }
 
 /// Normals transform by the inverse transpose, here the cofactors: no division, no trouble with mirrors.
