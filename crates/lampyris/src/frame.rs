@@ -187,8 +187,7 @@ impl Frame {
 
     /// What [`Frame::shown`] has of one layer; `None` if there is none of that number.
     pub fn shown_layer(&self, number: usize) -> Option<Vec<Rgb>> {
-        let share = self.filtered_share();
-        let layer = self.layers.get(number)?;
+        let (layer, share) = (self.layers.get(number)?, self.filtered_shares()[number]);
         Some(self.sum(layer.mean(1.0 - share).chain(layer.mean_shown(share))))
     }
 
@@ -197,16 +196,12 @@ impl Frame {
         self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0)))
     }
 
-    /// The picture to show: the mean of the filtered batches, if they were, as long as the error of the mean itself would
-    /// be visible. The one turns into the other by degrees.
+    /// The picture to show: of each layer the mean of the filtered batches, if they were, as long as the error of the mean
+    /// itself would be visible. The one turns into the other by degrees.
     pub fn shown(&self) -> Vec<Rgb> {
-        let share = self.filtered_share();
-        self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0 - share).chain(layer.mean_shown(share))))
-    }
-
-    /// How much of the picture to show is filtered.
-    fn filtered_share(&self) -> f32 {
-        if self.filtered { filtered_share(self.visible_error()) } else { 0.0 }
+        let shares = self.filtered_shares();
+        let layers = self.layers.iter().zip(shares);
+        self.sum(layers.flat_map(|(layer, share)| layer.mean(1.0 - share).chain(layer.mean_shown(share))))
     }
 
     /// The sum of planes, each times a colour.
@@ -220,26 +215,42 @@ impl Frame {
         sum
     }
 
-    /// The mean over pixels of the squared relative error that the spread of the randomisations promises, dark pixels
-    /// measured against a tenth of the mean; infinite before two of them have a batch. One pixel of each block stands for
-    /// all.
-    fn visible_error(&self) -> f64 {
-        let used = self.used();
-        if used.len() < 2 {
-            return f64::INFINITY;
+    /// How much of each layer is shown filtered: by the mean over pixels of its variance, as the spread of its
+    /// randomisations promises it, over the square of the whole picture, dark pixels measured against a tenth of the mean;
+    /// as if all layers varied like it. All of it before two randomisations have a batch. One pixel of each block stands
+    /// for all.
+    fn filtered_shares(&self) -> Vec<f32> {
+        let Some(first) = self.layers.first().filter(|_| self.filtered) else {
+            return vec![0.0; self.layers.len()];
+        };
+        let mut means = vec![0.0; first.replicates[0].probes.len()];
+        for layer in &self.layers {
+            for (at, mean) in means.iter_mut().enumerate() {
+                let sum = layer.replicates.iter().fold(Rgb::BLACK, |sum, r| sum + r.probes[at]);
+                *mean += f64::from((layer.color * sum).luminance() * layer.scale());
+            }
         }
-        let probes: Vec<(f64, f64)> = (0..self.layers[0].replicates[0].probes.len())
-            .map(|at| self.moments(&used, |replicate| replicate.probes[at]))
-            .collect();
-        let tenth = 0.1 * probes.iter().map(|(mean, _)| mean).sum::<f64>() / probes.len().max(1) as f64;
-        let error = |(mean, variance): &(f64, f64)| variance / (mean * mean + tenth * tenth).max(1e-30);
-        probes.iter().map(error).sum::<f64>() / probes.len().max(1) as f64
+        let tenth = 0.1 * means.iter().sum::<f64>() / means.len().max(1) as f64;
+        let share = |layer: &Layer| {
+            let alone = std::slice::from_ref(layer);
+            let used = used(alone);
+            if used.len() < 2 {
+                return 1.0;
+            }
+            let error = |(at, mean): (usize, &f64)| {
+                let (_, variance) = moments(alone, &used, |replicate| replicate.probes[at]);
+                variance / (mean * mean + tenth * tenth).max(1e-30)
+            };
+            let error = means.iter().enumerate().map(error).sum::<f64>() / means.len().max(1) as f64;
+            filtered_share(error * self.layers.len() as f64)
+        };
+        self.layers.par_iter().map(share).collect()
     }
 
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²]; in a picture of
     /// more than one row, of the mean over the block of 8 × 8 pixels around it. Infinite before each of two has a batch.
     pub fn standard_error(&self, pixel: usize) -> f32 {
-        let (used, edge) = (self.used(), self.block());
+        let (used, edge) = (used(&self.layers), self.block());
         if used.len() < 2 {
             return f32::INFINITY;
         }
@@ -247,13 +258,13 @@ impl Frame {
         let at = (y / edge) as usize * self.blocks()[0] + (x / edge) as usize;
         let size = |length: u32, at: u32| edge.min(length - at / edge * edge);
         let pixels = size(self.width, x) * size(self.height, y);
-        let (_, variance) = self.moments(&used, |replicate| replicate.blocks[at]);
+        let (_, variance) = moments(&self.layers, &used, |replicate| replicate.blocks[at]);
         (variance.sqrt() / f64::from(pixels)) as f32
     }
 
     /// Standard error of the picture's mean luminance, relative to it.
     pub fn relative_error(&self) -> f32 {
-        let used = self.used();
+        let used = used(&self.layers);
         if used.len() < 2 {
             return f32::INFINITY;
         }
@@ -262,13 +273,13 @@ impl Frame {
                 .map(|channel| replicate.blocks.iter().map(|c| f64::from(channel(c))).sum::<f64>() as f32);
             Rgb::new(r, g, b)
         };
-        let (mean, variance) = self.moments(&used, sum);
+        let (mean, variance) = moments(&self.layers, &used, sum);
         if mean == 0.0 { 0.0 } else { (variance.sqrt() / mean).abs() as f32 }
     }
 
     /// Half the width of Student's 95 % interval, in standard errors.
     pub fn student_factor(&self) -> f32 {
-        let used = self.used().len();
+        let used = used(&self.layers).len();
         if used < 2 { f32::INFINITY } else { student_quantile(0.05, used as f64 - 1.0) as f32 }
     }
 
@@ -301,31 +312,30 @@ impl Frame {
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
         self.auxiliary.as_mut()
     }
+}
 
-    /// Randomisations of which every layer has a batch.
-    fn used(&self) -> Vec<usize> {
-        let has = |k: &usize| self.layers.iter().all(|layer| layer.replicates[*k].batches > 0);
-        (0..self.replicates).filter(has).collect()
-    }
+/// Randomisations of which each of some layers has a batch.
+fn used(layers: &[Layer]) -> Vec<usize> {
+    let count = layers.first().map_or(0, |layer| layer.replicates.len());
+    let has = |k: &usize| layers.iter().all(|layer| layer.replicates[*k].batches > 0);
+    (0..count).filter(has).collect()
+}
 
-    /// Luminance of the mean, and its variance, of what `sum` tells of each randomisation, from n_k batches each: the
-    /// variance of one batch is estimated by Σ n_k (m_k − m)² / (r − 1). Where layers have more batches or less, n_k is the
-    /// least of them.
-    fn moments(&self, used: &[usize], sum: impl Fn(&Replicate) -> Rgb) -> (f64, f64) {
-        let of = |k: &usize| {
-            let replicates = || self.layers.iter().map(|layer| (layer.color, &layer.replicates[*k]));
-            let least = replicates().map(|(_, r)| r.batches).min().unwrap_or(0);
-            let mean = |(color, r): (Rgb, &Replicate)| {
-                f64::from((color * sum(r)).luminance()) / f64::from(r.batches)
-            };
-            (f64::from(least), replicates().map(mean).sum::<f64>())
-        };
-        let means: Vec<(f64, f64)> = used.iter().map(of).collect();
-        let n: f64 = means.iter().map(|(n, _)| n).sum();
-        let mean = means.iter().map(|(n, m)| n * m).sum::<f64>() / n;
-        let squares = means.iter().map(|(n, m)| n * (m - mean).powi(2));
-        (mean, squares.sum::<f64>() / (used.len() - 1) as f64 / n)
-    }
+/// Luminance of the mean of some layers together, and its variance, of what `sum` tells of each randomisation, from n_k
+/// batches each: the variance of one batch is estimated by Σ n_k (m_k − m)² / (r − 1). Where layers have more batches or
+/// less, n_k is the least of them.
+fn moments(layers: &[Layer], used: &[usize], sum: impl Fn(&Replicate) -> Rgb) -> (f64, f64) {
+    let of = |k: &usize| {
+        let replicates = || layers.iter().map(|layer| (layer.color, &layer.replicates[*k]));
+        let least = replicates().map(|(_, r)| r.batches).min().unwrap_or(0);
+        let mean =
+            |(color, r): (Rgb, &Replicate)| f64::from((color * sum(r)).luminance()) / f64::from(r.batches);
+        (f64::from(least), replicates().map(mean).sum::<f64>())
+    };
+    let n: f64 = used.iter().map(|k| of(k).0).sum();
+    let mean = used.iter().map(of).map(|(n, m)| n * m).sum::<f64>() / n;
+    let squares = used.iter().map(of).map(|(n, m)| n * (m - mean).powi(2));
+    (mean, squares.sum::<f64>() / (used.len() - 1) as f64 / n)
 }
 
 impl Layer {
@@ -447,5 +457,32 @@ mod tests {
         // Four values of variance 5/3, three degrees of freedom: the tables say 3.182.
         assert!((frame.standard_error(0) - (5.0f32 / 12.0).sqrt()).abs() < 1e-6);
         assert!((frame.student_factor() - 3.182_446).abs() < 1e-5);
+    }
+
+    /// A layer that began anew is shown filtered, and the others stay as they are.
+    #[test]
+    fn layers_are_shown_each_by_its_own_error() {
+        let settings = Settings { replicates: 4, filter: true, ..Settings::default() };
+        let mut frame = Frame::new(8, 8, &[], &settings, 3);
+        let rect = Rect { x: 0, y: 0, width: 8, height: 8 };
+        let batch = |value: f32| vec![(rect, vec![vec![Rgb::grey(value); 64]])];
+        for (k, noise) in (0..4).zip([0.01, -0.01, 0.01, -0.01]) {
+            frame.add(k, &[(0, batch(1.0)), (2, batch(1.0 + noise))]);
+            [0, 2].map(|layer| frame.count(layer, k));
+        }
+        assert_eq!(frame.filtered_shares(), [0.0, 1.0, 0.0]);
+        frame.add(0, &[(1, batch(1.0))]);
+        frame.count(1, 0);
+        assert_eq!(frame.filtered_shares(), [0.0, 1.0, 0.0]);
+        frame.restart(2);
+        for (k, noise) in (0..4).zip([0.03, -0.03, 0.03, -0.03]) {
+            frame.add(k, &[(2, batch(1.0 + noise))]);
+            frame.count(2, k);
+        }
+        // Batches of variance .0012, of their mean .0003; three layers, over a picture of 3 and a tenth of its mean.
+        let error = 3.0 * 0.0003 / (3.0_f64.powi(2) + 0.3_f64.powi(2));
+        let expected = ((error - EXCHANGE[0]) / (EXCHANGE[1] - EXCHANGE[0])) as f32;
+        let shares = frame.filtered_shares();
+        assert!(shares[0] == 0.0 && shares[1] == 1.0 && (shares[2] - expected).abs() < 1e-3, "{shares:?}");
     }
 }
