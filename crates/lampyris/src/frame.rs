@@ -468,7 +468,7 @@ mod tests {
         let batch = |value: f32| vec![(rect, vec![vec![Rgb::grey(value); 64]])];
         for (k, noise) in (0..4).zip([0.01, -0.01, 0.01, -0.01]) {
             frame.add(k, &[(0, batch(1.0)), (2, batch(1.0 + noise))]);
-            [0, 2].map(|layer| frame.count(layer, k));
+            [0, 2].into_iter().for_each(|layer| frame.count(layer, k));
         }
         assert_eq!(frame.filtered_shares(), [0.0, 1.0, 0.0]);
         frame.add(0, &[(1, batch(1.0))]);
