@@ -105,7 +105,9 @@ impl Cpu {
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         let changes = pool.install(|| job.world.apply(edit))?;
-        job.plan = Plan::new(&job.world, &job.settings);
+        if !changes.groups.is_empty() {
+            job.plan = Plan::new(&job.world, &job.settings);
+        }
         changes.groups.iter().for_each(|group| job.frame.restart(*group));
         job.frame.set_mix(&job.world.mix());
         Ok(changes)

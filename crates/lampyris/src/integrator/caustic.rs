@@ -8,7 +8,6 @@ use super::{Integrator, Pass, caustic_path};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::{lane, lanes};
-use crate::scene::Group;
 use crate::settings::Rays;
 use crate::world::Surface;
 use std::f32::consts::FRAC_1_PI;
@@ -60,23 +59,11 @@ impl Integrator for Caustic {
     }
 }
 
-/// Adds `throughput` times the radiance that the dull lobes of `x`, a point of the scene, send on of light that comes over
+/// Adds the radiance that the dull lobes of `x`, a point of the scene, send on of light that comes over
 /// a sharp vertex, by paths that are not *mirror*'s, group by group: by photons where there are any, else by the oracle.
-pub(super) fn at(
-    pass: &Pass<'_>,
-    x: &Surface<'_>,
-    numbers: Numbers,
-    throughput: Rgb,
-    out: &mut [Rgb],
-    rays: &mut u64,
-) {
+pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [Rgb], rays: &mut u64) {
     match pass.photons {
-        Some(photons) => {
-            let mut found = [Rgb::BLACK; Group::MOST];
-            let found = &mut found[..out.len()];
-            photons.radiance(x, found);
-            out.iter_mut().zip(found).for_each(|(out, found)| *out += throughput * *found);
-        }
-        None => caustic_path::at(pass, x, numbers, throughput, out, rays),
+        Some(photons) => photons.radiance(x, out),
+        None => caustic_path::at(pass, x, numbers, out, rays),
     }
 }

@@ -33,20 +33,13 @@ pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], r
     }
     let costly = Costly { purpose: b's', phase: 2 };
     costly.add(pass, tile.packets.iter(), out, |x, numbers, found| {
-        at(pass, x, numbers, Rgb::WHITE, found, &mut rays.path);
+        at(pass, x, numbers, found, &mut rays.path);
     });
 }
 
-/// Adds `throughput` times the radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by
+/// Adds the radiance that the dull lobes of `x` send on of light that comes over a sharp vertex, by
 /// paths that are not *mirror*'s, group by group.
-pub(super) fn at(
-    pass: &Pass<'_>,
-    x: &Surface<'_>,
-    numbers: Numbers,
-    throughput: Rgb,
-    out: &mut [Rgb],
-    rays: &mut u64,
-) {
+pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [Rgb], rays: &mut u64) {
     if !pass.world.bodies().make_caustics() {
         return;
     }
@@ -59,7 +52,7 @@ pub(super) fn at(
         &mut traced,
         |emitter, history, light| {
             if let (History::Caustic, Some(place)) = (history, pass.place_of(emitter)) {
-                out[place] += throughput * light;
+                out[place] += light;
             }
         },
     );

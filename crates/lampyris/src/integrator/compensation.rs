@@ -8,6 +8,7 @@ use super::short::{Short, Way};
 use super::{Costly, Integrator, Pass, caustic, direct, gather, mirror};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
+use crate::scene::Group;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::Surface;
@@ -60,6 +61,8 @@ pub(super) fn beyond_clamp<'w>(
         return;
     }
     let reach = 1.0 / b.sqrt();
+    let mut reflected = [Rgb::BLACK; Group::MOST];
+    let reflected = &mut reflected[..out.len()];
     let mut throughput = Rgb::WHITE;
     for vertex in 0..MAX_VERTICES {
         let Some(s) = Short::new(world, &x, way, reach, numbers, vertex, &mut rays.compensation) else {
@@ -73,15 +76,17 @@ pub(super) fn beyond_clamp<'w>(
         throughput *= s.weight * s.clear_from(&y) * taken;
         // L_r(y): direct light, light over sharp vertices, clamped virtual lights, and what the clamp takes in turn.
         let branch = numbers.branch(vertex + 1);
-        direct::at(pass, &y, branch, throughput, out, rays);
-        mirror::at(pass, &y, branch.branch(b'm'.into()), throughput, out, rays);
-        caustic::at(pass, &y, branch, throughput, out, &mut rays.compensation);
+        reflected.fill(Rgb::BLACK);
+        direct::at(pass, &y, branch, reflected, rays);
+        mirror::at(pass, &y, branch.branch(b'm'.into()), reflected, rays);
+        caustic::at(pass, &y, branch, reflected, &mut rays.compensation);
         let u = numbers.one(ledger::light(vertex));
-        for (lights, out) in pass.zip(out) {
+        for (lights, reflected) in pass.zip(&mut *reflected) {
             let (most, u) = (VPLS * lights.share, lights.turned(u));
             let rays = &mut rays.compensation;
-            *out += throughput * gather::from_some_vpls(world, &y, lights, most, u, rays);
+            *reflected += gather::from_some_vpls(world, &y, lights, most, u, rays);
         }
+        out.iter_mut().zip(&*reflected).for_each(|(out, reflected)| *out += throughput * *reflected);
         let stay = throughput.max_channel().clamp(0.0, 1.0);
         if numbers.one(ledger::roulette(vertex)) >= stay {
             break;

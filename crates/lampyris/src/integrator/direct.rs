@@ -35,37 +35,29 @@ impl Integrator for Direct {
         let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
         let costly = Costly { purpose: b'd', phase: 0 };
         costly.add(pass, near, out, |x, numbers, found| {
-            near_light(pass, x, Way::Straight, numbers, Rgb::WHITE, found, rays);
+            near_light(pass, x, Way::Straight, numbers, found, rays);
         });
     }
 }
 
-/// Adds `throughput` times the radiance at one point by all direct light, group by group: the clear, scalar form.
-pub(super) fn at(
-    pass: &Pass<'_>,
-    x: &Surface<'_>,
-    numbers: Numbers,
-    throughput: Rgb,
-    out: &mut [Rgb],
-    rays: &mut Rays,
-) {
+/// Adds the radiance at one point by all direct light, group by group: the clear, scalar form.
+pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [Rgb], rays: &mut Rays) {
     let u = numbers.one(ledger::light(0));
     for (lights, out) in pass.zip(out) {
         let (most, u) = (LIGHTS * lights.share, lights.turned(u));
         let rays = &mut rays.compensation;
-        *out += throughput * gather::from_some_lights(pass.world, x, lights.points, most, u, rays);
+        *out += gather::from_some_lights(pass.world, x, lights.points, most, u, rays);
     }
-    near_light(pass, x, Way::Straight, numbers, throughput, out, rays);
+    near_light(pass, x, Way::Straight, numbers, out, rays);
 }
 
-/// Adds `throughput` times what clamping took from lights nearby, group by group: (G − b)⁺/G of the light that a short
+/// Adds what clamping took from lights nearby, group by group: (G − b)⁺/G of the light that a short
 /// ray meets. It reaches as far as any group's bound asks, and finds for each group what a ray of its own would.
 pub(super) fn near_light(
     pass: &Pass<'_>,
     x: &Surface<'_>,
     way: Way,
     numbers: Numbers,
-    throughput: Rgb,
     out: &mut [Rgb],
     rays: &mut Rays,
 ) {
@@ -78,7 +70,7 @@ pub(super) fn near_light(
     let mut add = |emitter: u32, radiance: Rgb, taken: &dyn Fn(f32) -> f32| {
         if let Some(place) = pass.place_of(emitter) {
             let taken = taken(bounds[pass.lights[place].group]);
-            out[place] += throughput * s.weight * radiance * taken;
+            out[place] += s.weight * radiance * taken;
         }
     };
     let t_max = s.met.as_ref().map_or(s.ray.t_max, |y| (y.position - s.ray.origin).length());

@@ -56,7 +56,7 @@ impl Integrator for Mirror {
         let near = tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach));
         let costly = Costly { purpose: b'm', phase: 3 };
         costly.add(pass, near, out, |x, numbers, found| {
-            direct::near_light(pass, x, Way::Folded, numbers, Rgb::WHITE, found, rays);
+            direct::near_light(pass, x, Way::Folded, numbers, found, rays);
             compensation::beyond_clamp(pass, *x, Way::Folded, numbers.branch(0), found, rays);
         });
     }
@@ -84,16 +84,9 @@ fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [R
     }
 }
 
-/// Adds `throughput` times the radiance at one point by light over a mirror, up to the clamp of virtual lights, group by
+/// Adds the radiance at one point by light over a mirror, up to the clamp of virtual lights, group by
 /// group: the clear, scalar form.
-pub(super) fn at(
-    pass: &Pass<'_>,
-    x: &Surface<'_>,
-    numbers: Numbers,
-    throughput: Rgb,
-    out: &mut [Rgb],
-    rays: &mut Rays,
-) {
+pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [Rgb], rays: &mut Rays) {
     let world = pass.world;
     if world.mirrors().is_empty() {
         return;
@@ -108,9 +101,9 @@ pub(super) fn at(
     for (lights, out) in pass.zip(out) {
         let (most, u) = (SOURCES * lights.share, lights.turned(u));
         let traced = &mut rays.compensation;
-        *out += throughput * (some(lights.points, most, u, traced) + some(lights.vpls, most, u, traced));
+        *out += some(lights.points, most, u, traced) + some(lights.vpls, most, u, traced);
     }
-    direct::near_light(pass, x, Way::Folded, numbers, throughput, out, rays);
+    direct::near_light(pass, x, Way::Folded, numbers, out, rays);
 }
 
 /// What picking asks of the images of virtual lights in a mirror; those that shine away from it give nothing.
