@@ -281,7 +281,7 @@ mod tests {
             let normal = uniform_sphere([uniform(6, i, 0), uniform(6, i, 1)]);
             let Frame { s, t, .. } = Frame::new(normal);
             let at = vector(0);
-            let mirror = Mirror::new(&[at, at + s * 0.4, at + t * 0.3], normal);
+            let mirror = Mirror::new(&[at, at + s * 1.6, at + t * 1.3], normal);
             let size = Vec3::splat(0.5 * uniform(7, i, 0));
             let (corner, b) = (vector(3), mirror.local(vector(6)));
             let points = (0..64).map(|k| {
