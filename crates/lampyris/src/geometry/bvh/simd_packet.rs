@@ -77,10 +77,10 @@ fn occluded<M: Machine, const P: usize>(
     first: &mut u32,
 ) -> [u16; P] {
     let mut directions = Aligned([[[0.0; LANES]; 3]; P]);
-    for p in 0..P {
+    for (directions, targets) in directions.0.iter_mut().zip(targets) {
         for axis in 0..3 {
-            let d = m.sub(m.load(&targets[p][axis]), m.splat(origin[axis]));
-            m.store(&mut directions.0[p][axis], d);
+            let d = m.sub(m.load(&targets[axis]), m.splat(origin[axis]));
+            m.store(&mut directions[axis], d);
         }
     }
     let directions = &directions.0;
@@ -171,8 +171,8 @@ fn occluded_packet<M: Machine, const P: usize>(
             *first = leaf;
         }
     }
-    for p in 0..P {
-        live[p] &= !walk.alive[p];
+    for (live, alive) in live.iter_mut().zip(walk.alive) {
+        *live &= !alive;
     }
     live
 }
@@ -219,8 +219,8 @@ impl<const P: usize> Families<P> {
     #[inline(always)]
     fn new<M: Machine>(m: M, directions: &[[[f32; LANES]; 3]; P], live: [u16; P]) -> Families<P> {
         let mut families = Families { rest: live, axes: [[0; P]; 3], negative: [[0; P]; 3] };
-        for p in 0..P {
-            let d = three!(a => m.load(&directions[p][a]));
+        for (p, directions) in directions.iter().enumerate() {
+            let d = three!(a => m.load(&directions[a]));
             let size = three!(a => m.abs(d[a]));
             // As `sound_direction`: the sum lets no NaN pass.
             let length = m.add(m.add(size[0], size[1]), size[2]);
@@ -253,9 +253,9 @@ impl<const P: usize> Families<P> {
             usize::from(self.axes[1][found] & one != 0) + 2 * usize::from(self.axes[2][found] & one != 0);
         let flip = if self.negative[kz][found] & one != 0 { 0 } else { u16::MAX };
         let mut family = [0; P];
-        for p in 0..P {
-            family[p] = self.rest[p] & self.axes[kz][p] & (self.negative[kz][p] ^ flip);
-            self.rest[p] &= !family[p];
+        for (p, family) in family.iter_mut().enumerate() {
+            *family = self.rest[p] & self.axes[kz][p] & (self.negative[kz][p] ^ flip);
+            self.rest[p] &= !*family;
         }
         Some((family, kz))
     }
@@ -406,8 +406,8 @@ impl<'s, M: Machine, const P: usize> Walk<'s, M, P> {
         self.limit = limit;
         let zero = m.splat(0.0);
         let mut farthest = zero;
-        for p in 0..P {
-            farthest = m.max(farthest, m.blend(self.alive[p], limit[p], zero));
+        for (alive, limit) in self.alive.iter().zip(limit) {
+            farthest = m.max(farthest, m.blend(*alive, limit, zero));
         }
         self.farthest = m.most(farthest);
     }
@@ -419,8 +419,8 @@ impl<'s, M: Machine, const P: usize> Walk<'s, M, P> {
             self.depth -= 1;
             // SAFETY: entries below the old `depth` were written.
             let (child, mut mask, enter) = unsafe { self.stack[self.depth].assume_init() };
-            for p in 0..P {
-                mask[p] &= self.alive[p];
+            for (mask, alive) in mask.iter_mut().zip(self.alive) {
+                *mask &= alive;
             }
             if none(&mask) || enter > self.farthest {
                 continue;
@@ -486,11 +486,11 @@ impl<'s, M: Machine, const P: usize> Walk<'s, M, P> {
         i: usize,
         mut mask: [u16; P],
     ) -> [u16; P] {
-        for p in 0..P {
-            if P > 1 && mask[p] == 0 {
+        for ((part, limit), mask) in packet.parts.iter().zip(self.limit).zip(&mut mask) {
+            if P > 1 && *mask == 0 {
                 continue;
             }
-            let inverse = &packet.parts[p].inverse;
+            let inverse = &part.inverse;
             let mut enter = m.splat(0.0);
             let mut leave = m.splat(f32::INFINITY);
             for a in 0..3 {
@@ -501,8 +501,8 @@ impl<'s, M: Machine, const P: usize> Walk<'s, M, P> {
                 enter = m.max(enter, near);
                 leave = m.min(leave, far);
             }
-            let leave = m.min(m.mul(leave, m.splat(super::slab::STRETCH)), self.limit[p]);
-            mask[p] &= m.le(enter, leave);
+            let leave = m.min(m.mul(leave, m.splat(super::slab::STRETCH)), limit);
+            *mask &= m.le(enter, leave);
         }
         mask
     }
