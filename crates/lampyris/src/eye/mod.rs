@@ -1,7 +1,8 @@
 //! From the eye to the first dull surface: the visible points of a tile, sixteen to a packet.
 //!
-//! An eye path goes on through sharp lobes (mirrors, glass, polish) by chance; what glows along it, seen directly or
-//! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
+//! An eye path goes on through sharp lobes (mirrors, glass, polish); what glows along it, seen directly or by reflection, is
+//! the part *emission*. The first dull vertex x is what integrators shade. At the first surface a path splits in two where
+//! light comes from there in two ways, and the second paths have packets of their own.
 
 mod follow;
 mod packet;
@@ -156,13 +157,20 @@ impl Eye {
             .collect()
     }
 
-    /// Sends the eye paths of one pass through a tile.
-    pub fn look(&self, sampling: &Sampling, tile: &mut Tile<'_>) {
+    /// Sends the eye paths of one pass through a tile. Returns the second paths, those that left their first surface in
+    /// another way than the first: what they see is to be added to what the tile sees. A pixel may occur in them once or not
+    /// at all.
+    pub fn look<'w>(&self, sampling: &Sampling, tile: &mut Tile<'w>) -> Tile<'w> {
         let samplings = [sampling; LANES];
         tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
+        let (mut packets, mut rays) = (Vec::new(), Rays::default());
+        if let Eye::Camera(view) = self {
+            tile.packets.iter().for_each(|packet| packet.split(view.eye(), &mut packets, &mut rays));
+        }
+        Tile { rect: tile.rect, packets, rays: rays.eye }
     }
 
-    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
+    /// Sends the first eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
     pub fn look_by(&self, samplings: &[&Sampling; LANES], packet: &mut Packet<'_>) -> u64 {
         let mut rays = Rays::default();
         packet.start(self, samplings);

@@ -105,12 +105,18 @@ pub trait Integrator: Send + Sync {
         true
     }
 
+    /// Whether it follows eye paths of its own from the eye on, each through a pixel of the tile: what others see by second
+    /// paths it has seen already.
+    fn starts_at_the_eye(&self) -> bool {
+        false
+    }
+
     /// Whether it asks for [`Pass::photons`].
     fn gathers_photons(&self) -> bool {
         false
     }
 
-    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` has a plane for each of
+    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass over the tile's eye paths; `out` has a plane for each of
     /// [`Pass::lights`], row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays);
 }
