@@ -245,6 +245,8 @@ pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
         passes: Some(1),
         interleave: [3, 3],
         light_points: Some(CLASSES * workload.light_points),
+        // More than there are: only where eye paths split, the second ones pick.
+        picks: Some(1 << 16),
         longest: workload.longest,
         filter: true,
         edges: 0,

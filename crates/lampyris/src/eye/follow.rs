@@ -22,7 +22,7 @@ const MAX_VERTICES: u32 = 1024;
 /// The surest roulette: of paths that lose nothing on their way one in 10⁸ lives to be cut off.
 const SUREST: f32 = 0.98;
 
-/// Second paths that carry a smaller share of what they meet are followed by chance, in proportion.
+/// Second paths that have a smaller share of what the first surface reflects are followed by chance, in proportion.
 const WORTH: f32 = 0.1;
 
 /// How an eye path came to its first dull vertex.
@@ -83,7 +83,9 @@ pub(super) fn first<'w>(
 
 /// Whether the second path that leaves the first surface of an eye path is to be followed: then its weight.
 pub(super) fn second_weight(surface: &Surface<'_>, numbers: Numbers) -> Option<f32> {
-    let share = Fork::of(surface, numbers)?.second * surface.albedo(Class::Sharp).max_channel();
+    let fork = Fork::of(surface, numbers)?;
+    let sharp = surface.albedo(Class::Sharp).max_channel();
+    let share = fork.second * sharp / (sharp + surface.finish.weights().1);
     let probability = (share / WORTH).min(1.0);
     (numbers.one(ledger::class(0)) < probability).then(|| 1.0 / probability)
 }

@@ -94,6 +94,9 @@ pub struct Tile<'w> {
     pub rect: Rect,
     /// The points.
     pub packets: Vec<Packet<'w>>,
+    /// How many of the virtual lights that others pick are worth picking here: 1, or the share of their light that second
+    /// paths bring, if that is less.
+    pub stake: f32,
     /// Rays it took.
     pub rays: u64,
 }
@@ -152,7 +155,7 @@ impl Eye {
                 let columns = blocks(cx, rect.width, bw * n);
                 let mut packets = Vec::with_capacity(rows.len() * columns.len());
                 packets.extend(rows.flat_map(|y| columns.clone().map(move |x| packet(x, y))));
-                Tile { rect, packets, rays: 0 }
+                Tile { rect, packets, stake: 1.0, rays: 0 }
             })
             .collect()
     }
@@ -163,11 +166,13 @@ impl Eye {
     pub fn look<'w>(&self, sampling: &Sampling, tile: &mut Tile<'w>) -> Tile<'w> {
         let samplings = [sampling; LANES];
         tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
-        let (mut packets, mut rays) = (Vec::new(), Rays::default());
+        let (mut packets, mut stakes, mut rays) = (Vec::new(), 0.0, Rays::default());
         if let Eye::Camera(view) = self {
-            tile.packets.iter().for_each(|packet| packet.split(view.eye(), &mut packets, &mut rays));
+            let all = tile.packets.iter().map(|packet| packet.split(view.eye(), &mut packets, &mut rays));
+            stakes = all.sum();
         }
-        Tile { rect: tile.rect, packets, rays: rays.eye }
+        let lanes: usize = packets.iter().map(|packet| packet.live.count_ones() as usize).sum();
+        Tile { rect: tile.rect, packets, stake: stakes / lanes.max(1) as f32, rays: rays.eye }
     }
 
     /// Sends the first eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.

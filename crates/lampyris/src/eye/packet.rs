@@ -247,9 +247,10 @@ impl<'w> Packet<'w> {
     }
 
     /// Follows the second paths that leave what the camera rays of this packet met, from `eye` on. They fill up the last of
-    /// the packets of such paths, and further ones.
-    pub(super) fn split(&self, eye: Vec3, seconds: &mut Vec<Packet<'w>>, rays: &mut Rays) {
-        let Ends::Camera { directions, hits, .. } = &self.ends else { return };
+    /// the packets of such paths, and further ones. Returns what they are worth beside the first, added up.
+    pub(super) fn split(&self, eye: Vec3, seconds: &mut Vec<Packet<'w>>, rays: &mut Rays) -> f32 {
+        let mut stakes = 0.0;
+        let Ends::Camera { directions, hits, .. } = &self.ends else { return stakes };
         for k in lanes(self.forks) {
             let Some(hit) = hits.get(k) else { continue };
             let surface = self.world.surface(lane(directions, k), &hit);
@@ -261,8 +262,19 @@ impl<'w> Packet<'w> {
             });
             if let Some(packet) = seconds.last_mut() {
                 packet.take(to, (self, k), (eye, surface), weight, rays);
+                stakes += packet.stake(to, (self, k));
             }
         }
+        stakes
+    }
+
+    /// What a lane passes on to the eye of light that falls on its vertex, over what lane `k` of `first` does; at most 1.
+    fn stake(&self, lane: usize, (first, k): (&Packet<'w>, usize)) -> f32 {
+        let reflects = |p: &Packet<'w>, k: usize| {
+            if p.live >> k & 1 == 1 { (p.throughput[k] * p.reflectance[k]).max_channel() } else { 0.0 }
+        };
+        let (own, other) = (reflects(self, lane), reflects(first, k));
+        if own < other { own / other } else { 1.0 }
     }
 
     /// A packet for second paths, without any.

@@ -66,7 +66,7 @@ impl Integrator for Mirror {
 fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut u64) {
     let world = pass.world;
     // Many virtual lights are picked among packet by packet.
-    let picks = lights.picks(pass.settings, lights.vpls);
+    let picks = lights.picks(pass.settings, lights.vpls, tile);
     let many: Vec<(u8, Vec<Beacon>)> = match picks {
         Some(_) => (0..).zip(world.mirrors()).map(|(k, plane)| (k, images(plane, lights.beacons))).collect(),
         None => Vec::new(),

@@ -63,10 +63,11 @@ pub struct Lights<'w> {
 }
 
 impl Lights<'_> {
-    /// How many of `of` of its virtual lights a packet picks in the mean; `None` for all.
-    fn picks(&self, settings: &Settings, of: &[Vpl<'_>]) -> Option<f32> {
-        let most = settings.picks? as f32 * self.share;
-        (most < of.len() as f32).then_some(most)
+    /// How many of `of` of its virtual lights the packets of a tile pick in the mean; `None` for all.
+    fn picks(&self, settings: &Settings, of: &[Vpl<'_>], tile: &Tile<'_>) -> Option<f32> {
+        let all = of.len() as f32;
+        let most = (settings.picks? as f32 * self.share).min(all) * tile.stake;
+        (most < all).then_some(most)
     }
 
     /// A number in [0, 1) as this group uses it: groups of small shares take turns.
