@@ -104,7 +104,8 @@ fn no_pixel_of_a_polished_floor_is_black() {
 #[test]
 fn glass_shows_what_is_before_and_behind_it() {
     let cos = libm::cosf(70f32.to_radians());
-    let pane = Pbr { transmission: 1.0, metallic: 0.0, roughness: 0.0, base_color: Rgb::WHITE, ..Pbr::default() };
+    let pane =
+        Pbr { transmission: 1.0, metallic: 0.0, roughness: 0.0, base_color: Rgb::WHITE, ..Pbr::default() };
     let of_pane = Bsdf::Pbr(pane).mirror_reflectance(cos).luminance();
     let (of_glass, _) = fresnel(cos, 1.0 / 1.5);
     // Radiance that leaves glass is spread over n² times the solid angle.

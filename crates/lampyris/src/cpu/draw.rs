@@ -145,7 +145,15 @@ impl Job {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
                 let ((vpls, beacons), beyond) = (walk.vpls_of(class), walk.beyond_of(class));
                 let (share, points) = (shares[*group], walk.lights_of(class));
-                Lights { group: *group, share, points, vpls, beacons, beyond }
+                Lights {
+                    group: *group,
+                    share,
+                    points,
+                    vpls,
+                    beacons,
+                    reflected: walk.reflected_of(class),
+                    beyond,
+                }
             };
             groups.iter().zip(walks).map(of_group).collect()
         };
@@ -182,7 +190,9 @@ impl Job {
                 .collect();
             let done: Vec<Summed> = pieces
                 .par_iter()
-                .map(|(rect, numbers)| self.render(*rect, numbers.clone(), shared, note, &layer_of))
+                .map_init(Default::default, |paths, (rect, numbers)| {
+                    self.render(paths, *rect, numbers.clone(), shared, note, &layer_of)
+                })
                 .collect();
             if let (Some(seen), Some(first), Some(last)) = (&mut seen, band.first(), band.last()) {
                 let glimpses: Vec<&Glimpse> = done.iter().filter_map(|p| p.glimpse.as_ref()).collect();
@@ -233,12 +243,13 @@ impl Job {
         rects.collect()
     }
 
-    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first.
-    fn render(
-        &self,
+    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` and `seconds` are memory to use.
+    fn render<'w>(
+        &'w self,
+        [tiles, seconds]: &mut [Vec<Tile<'w>>; 2],
         rect: Rect,
         numbers: Range<u32>,
-        shared: &Shared<'_>,
+        shared: &Shared<'w>,
         note: bool,
         layer_of: &dyn Fn(u32) -> Option<usize>,
     ) -> Summed {
@@ -248,12 +259,14 @@ impl Job {
         let mut planes: Vec<Vec<Vec<Rgb>>> = self.planes.iter().map(plane).collect();
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
-        let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
+        self.eye.lay_out(&self.world, rect, self.settings.interleave, tiles);
         for number in numbers {
             let sampling = self.sampling(shared.batch, number);
-            let seconds: Vec<Tile<'_>> =
-                tiles.iter_mut().map(|tile| self.eye.look(&sampling, tile)).collect();
-            rays.eye += tiles.iter().chain(&seconds).map(|tile| tile.rays).sum::<u64>();
+            for tile in tiles.iter_mut() {
+                self.eye.look(&sampling, tile);
+            }
+            self.eye.split(tiles, seconds);
+            rays.eye += tiles.iter().chain(&*seconds).map(|tile| tile.rays).sum::<u64>();
             if seconds.iter().any(|tile| !tile.packets.is_empty()) {
                 planes.iter_mut().flatten().for_each(|plane| plane.resize(pixels, Rgb::BLACK));
             }
@@ -271,10 +284,10 @@ impl Job {
                 })
                 .collect();
             for (integrator, [first, second]) in self.integrators.iter().zip(&self.planes_of) {
-                for (pass, tile) in passes.iter().zip(&tiles) {
+                for (pass, tile) in passes.iter().zip(tiles.iter()) {
                     integrator.add(pass, tile, &mut planes[*first], &mut rays);
                 }
-                let more = passes.iter().zip(&seconds).filter(|(_, tile)| !tile.packets.is_empty());
+                let more = passes.iter().zip(seconds.iter()).filter(|(_, tile)| !tile.packets.is_empty());
                 for (pass, tile) in more.filter(|_| !integrator.starts_at_the_eye()) {
                     integrator.add(pass, tile, &mut planes[*second], &mut rays);
                 }
@@ -293,7 +306,7 @@ impl Job {
                 non_finite += 1;
             }
         }
-        let glimpse = self.settings.filter.then(|| self.glimpse(rect, &tiles, &planes, layer_of));
+        let glimpse = self.settings.filter.then(|| self.glimpse(rect, tiles, &planes, layer_of));
         let mut layers: Vec<Vec<Vec<Rgb>>> = vec![Vec::new(); layers];
         for (plane, of) in planes.into_iter().zip(&self.planes) {
             for (layer, plane) in layers.iter_mut().zip(plane) {

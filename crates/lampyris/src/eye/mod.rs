@@ -101,6 +101,9 @@ pub struct Tile<'w> {
     pub rays: u64,
 }
 
+/// No rectangle yet.
+const NOWHERE: Rect = Rect { x: 0, y: 0, width: 0, height: 0 };
+
 /// Which sample of every pixel an eye pass takes.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {
@@ -135,47 +138,78 @@ impl Eye {
         Numbers { index: sampling.index, seed: sequence::hash(sampling.seed, pixel) }
     }
 
-    /// The packets of a rectangle of pixels, as yet without visible points: a tile for each class of the n × m pixels that
-    /// are interleaved, row by row. The rectangle begins at a multiple of n × m.
-    pub fn tiles<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2]) -> Vec<Tile<'w>> {
+    /// Lays out the packets of a rectangle of pixels, as yet without visible points: a tile for each class of the n × m
+    /// pixels that are interleaved, row by row. The rectangle begins at a multiple of n × m. What `tiles` held is
+    /// forgotten, its memory used again.
+    pub fn lay_out<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2], tiles: &mut Vec<Tile<'w>>) {
         // Meters lie in one row: there a packet is a run of sixteen.
         let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
-        let classes = (0..m).flat_map(|cy| (0..n).map(move |cx| (cx, cy)));
-        let packet = |left: u32, top: u32| {
-            let pixels = std::array::from_fn(|lane| {
-                let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
-                if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
-            });
-            Packet::new(world, rect, pixels)
-        };
         let blocks = |from: u32, to: u32, step: u32| (from..to).step_by(step as usize);
-        classes
-            .map(|(cx, cy)| {
-                let rows = blocks(cy, rect.height, bh * m);
-                let columns = blocks(cx, rect.width, bw * n);
-                let mut packets = Vec::with_capacity(rows.len() * columns.len());
-                packets.extend(rows.flat_map(|y| columns.clone().map(move |x| packet(x, y))));
-                Tile { rect, packets, stake: 1.0, rays: 0 }
-            })
-            .collect()
+        tiles.resize_with((n * m) as usize, || Tile { rect, packets: Vec::new(), stake: 1.0, rays: 0 });
+        for (tile, class) in tiles.iter_mut().zip(0..) {
+            (tile.rect, tile.rays) = (rect, 0);
+            let columns = blocks(class % n, rect.width, bw * n);
+            let corners =
+                blocks(class / n, rect.height, bh * m).flat_map(|y| columns.clone().map(move |x| (x, y)));
+            let mut count = 0;
+            for (left, top) in corners {
+                let pixels = std::array::from_fn(|lane| {
+                    let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
+                    if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
+                });
+                if count == tile.packets.len() {
+                    tile.packets.push(Packet::new(world));
+                }
+                tile.packets[count].place(rect, pixels);
+                count += 1;
+            }
+            tile.packets.truncate(count);
+        }
     }
 
-    /// Sends the eye paths of one pass through a tile. Returns the second paths, those that left their first surface in
-    /// another way than the first: what they see is to be added to what the tile sees. A pixel may occur in them once or not
-    /// at all.
-    pub fn look<'w>(&self, sampling: &Sampling, tile: &mut Tile<'w>) -> Tile<'w> {
+    /// [`Eye::lay_out`] afresh.
+    pub fn tiles<'w>(&self, world: &'w World, rect: Rect, interleave: [u32; 2]) -> Vec<Tile<'w>> {
+        let mut tiles = Vec::new();
+        self.lay_out(world, rect, interleave, &mut tiles);
+        tiles
+    }
+
+    /// Sends the eye paths of one pass through a tile.
+    pub fn look(&self, sampling: &Sampling, tile: &mut Tile<'_>) {
         let samplings = [sampling; LANES];
         tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
-        let (mut packets, mut stakes, mut rays) = (Vec::new(), 0.0, Rays::default());
-        if let Eye::Camera(view) = self {
-            let all = tile.packets.iter().map(|packet| packet.split(view.eye(), &mut packets, &mut rays));
-            stakes = all.sum();
-        }
-        let lanes: usize = packets.iter().map(|packet| packet.live.count_ones() as usize).sum();
-        Tile { rect: tile.rect, packets, stake: stakes / lanes.max(1) as f32, rays: rays.eye }
     }
 
-    /// Sends the first eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
+    /// Follows the second paths of tiles that were looked at, which left their first surface in another way than the first
+    /// paths: a tile of them for each. What they see is to be added to what the first ones see; a pixel may occur in them
+    /// once or not at all. What `seconds` held is forgotten, its memory used again.
+    pub fn split<'w>(&self, tiles: &[Tile<'w>], seconds: &mut Vec<Tile<'w>>) {
+        let none = || Tile { rect: NOWHERE, packets: Vec::new(), stake: 1.0, rays: 0 };
+        seconds.resize_with(tiles.len(), none);
+        for (tile, second) in tiles.iter().zip(seconds) {
+            let (mut count, mut stakes, mut rays) = (0, 0.0, Rays::default());
+            if let Eye::Camera(view) = self {
+                for path in tile.packets.iter().flat_map(|packet| packet.seconds(view.eye())) {
+                    let (number, lane) = (count / LANES, count % LANES);
+                    if number == second.packets.len() {
+                        second.packets.push(Packet::new(path.world()));
+                    }
+                    let packet = &mut second.packets[number];
+                    if lane == 0 {
+                        packet.clear();
+                    }
+                    stakes += packet.follow(lane, path, &mut rays);
+                    count += 1;
+                }
+            }
+            second.packets.truncate(count.div_ceil(LANES));
+            let live: u32 = second.packets.iter().map(|packet| packet.live.count_ones()).sum();
+            (second.rect, second.stake, second.rays) = (tile.rect, stakes / live.max(1) as f32, rays.eye);
+        }
+    }
+
+    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it, as far as the first paths go. Returns
+    /// the rays it took.
     pub fn look_by(&self, samplings: &[&Sampling; LANES], packet: &mut Packet<'_>) -> u64 {
         let mut rays = Rays::default();
         packet.start(self, samplings);

@@ -86,6 +86,24 @@ pub struct Packet<'w> {
     ends: Ends,
 }
 
+/// A second path that is to be followed.
+pub(super) struct Second<'p, 'w> {
+    first: &'p Packet<'w>,
+    /// The lane of `first` that it splits from.
+    lane: usize,
+    /// Where the camera is.
+    eye: Vec3,
+    /// The surface that it leaves.
+    surface: Surface<'w>,
+    weight: f32,
+}
+
+impl<'w> Second<'_, 'w> {
+    pub(super) fn world(&self) -> &'w World {
+        self.first.world
+    }
+}
+
 /// How the paths of a packet came to where they end.
 #[derive(Clone)]
 #[expect(clippy::large_enum_variant, reason = "one in each packet, which stays where it is")]
@@ -100,13 +118,12 @@ enum Ends {
 }
 
 impl<'w> Packet<'w> {
-    /// No paths as yet; `pixels` as in [`Packet::pixels`] for a tile of `rect`.
-    pub fn new(world: &'w World, rect: Rect, pixels: [u32; LANES]) -> Packet<'w> {
-        let inside = |k: usize| if pixels[k] == u32::MAX { (0, 0) } else { rect.pixel(pixels[k]) };
+    /// No paths as yet, and no pixels.
+    pub fn new(world: &'w World) -> Packet<'w> {
         Packet {
             world,
-            pixels,
-            place: [std::array::from_fn(|k| inside(k).0), std::array::from_fn(|k| inside(k).1)],
+            pixels: [u32::MAX; LANES],
+            place: [[0; LANES]; 2],
             live: 0,
             lambertian: 0,
             glossy: 0,
@@ -121,6 +138,16 @@ impl<'w> Packet<'w> {
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
             forks: 0,
             ends: Ends::Nowhere,
+        }
+    }
+
+    /// Puts it elsewhere: `pixels` as in [`Packet::pixels`] for a tile of `rect`.
+    pub fn place(&mut self, rect: Rect, pixels: [u32; LANES]) {
+        self.pixels = pixels;
+        self.live = 0;
+        for (k, pixel) in pixels.iter().enumerate() {
+            let (x, y) = if *pixel == u32::MAX { (0, 0) } else { rect.pixel(*pixel) };
+            (self.place[0][k], self.place[1][k]) = (x, y);
         }
     }
 
@@ -246,65 +273,52 @@ impl<'w> Packet<'w> {
         self.ends = Ends::Camera { directions, hits, last };
     }
 
-    /// Follows the second paths that leave what the camera rays of this packet met, from `eye` on. They fill up the last of
-    /// the packets of such paths, and further ones. Returns what they are worth beside the first, added up.
-    pub(super) fn split(&self, eye: Vec3, seconds: &mut Vec<Packet<'w>>, rays: &mut Rays) -> f32 {
-        let mut stakes = 0.0;
-        let Ends::Camera { directions, hits, .. } = &self.ends else { return stakes };
-        for k in lanes(self.forks) {
-            let Some(hit) = hits.get(k) else { continue };
-            let surface = self.world.surface(lane(directions, k), &hit);
-            let Some(weight) = second_weight(&surface, self.numbers[k]) else { continue };
-            let free = |p: &Packet<'_>| p.pixels.iter().position(|pixel| *pixel == u32::MAX);
-            let to = seconds.last().and_then(free).unwrap_or_else(|| {
-                seconds.push(Packet::of_seconds(self.world));
-                0
-            });
-            if let Some(packet) = seconds.last_mut() {
-                packet.take(to, (self, k), (eye, surface), weight, rays);
-                stakes += packet.stake(to, (self, k));
-            }
-        }
-        stakes
-    }
-
-    /// What a lane passes on to the eye of light that falls on its vertex, over what lane `k` of `first` does; at most 1.
-    fn stake(&self, lane: usize, (first, k): (&Packet<'w>, usize)) -> f32 {
-        let reflects = |p: &Packet<'w>, k: usize| {
-            if p.live >> k & 1 == 1 { (p.throughput[k] * p.reflectance[k]).max_channel() } else { 0.0 }
+    /// The second paths that are to be followed, of all lanes; the camera is at `eye`.
+    pub(super) fn seconds(&self, eye: Vec3) -> impl Iterator<Item = Second<'_, 'w>> {
+        let met = match &self.ends {
+            Ends::Camera { directions, hits, .. } => Some((directions, hits)),
+            _ => None,
         };
-        let (own, other) = (reflects(self, lane), reflects(first, k));
-        if own < other { own / other } else { 1.0 }
+        lanes(self.forks).filter_map(move |k| {
+            let (directions, hits) = met?;
+            let surface = self.world.surface(lane(directions, k), &hits.get(k)?);
+            let weight = second_weight(&surface, self.numbers[k])?;
+            Some(Second { first: self, lane: k, eye, surface, weight })
+        })
     }
 
-    /// A packet for second paths, without any.
-    fn of_seconds(world: &'w World) -> Packet<'w> {
-        let none = Rect { x: 0, y: 0, width: 0, height: 0 };
-        let hits = Hits16::default();
-        let ends = Ends::Camera { directions: [[0.0; LANES]; 3], hits, last: [None; LANES] };
-        Packet { ends, ..Packet::new(world, none, [u32::MAX; LANES]) }
+    /// Forgets everything, for second paths to come.
+    pub(super) fn clear(&mut self) {
+        (self.live, self.lambertian, self.glossy, self.opaque, self.forks) = (0, 0, 0, 0, 0);
+        self.pixels = [u32::MAX; LANES];
+        self.gleams.clear();
+        let (directions, hits) = ([[0.0; LANES]; 3], Hits16::default());
+        self.ends = Ends::Camera { directions, hits, last: [None; LANES] };
     }
 
-    /// Follows the second path that leaves a surface, seen from `eye` by lane `k` of `first`, as lane `to`.
-    fn take(
-        &mut self,
-        to: usize,
-        (first, k): (&Packet<'w>, usize),
-        from: (Vec3, Surface<'w>),
-        weight: f32,
-        rays: &mut Rays,
-    ) {
-        let own = first.numbers[k].branch(b'2'.into());
-        (self.pixels[to], self.numbers[to]) = (first.pixels[k], own);
-        (0..2).for_each(|axis| self.place[axis][to] = first.place[axis][k]);
-        let (numbers, gleams) = ([first.numbers[k], own], &mut self.gleams);
-        let ended = second(self.world, from, weight, numbers, &mut gleams_of(to, gleams), rays);
+    /// Follows a second path as one of its lanes. Returns the [`Tile::stake`] of that alone.
+    ///
+    /// [`Tile::stake`]: super::Tile::stake
+    pub(super) fn follow(&mut self, to: usize, path: Second<'_, 'w>, rays: &mut Rays) -> f32 {
+        let Second { first, lane, eye, surface, weight } = path;
+        let numbers = [first.numbers[lane], first.numbers[lane].branch(b'2'.into())];
+        (self.pixels[to], self.numbers[to]) = (first.pixels[lane], numbers[1]);
+        (0..2).for_each(|axis| self.place[axis][to] = first.place[axis][lane]);
+        let gleams = &mut self.gleams;
+        let ended = second(self.world, (eye, surface), weight, numbers, &mut gleams_of(to, gleams), rays);
         if let Some(ended) = ended {
             let end = self.end(to, ended);
             if let Ends::Camera { last, .. } = &mut self.ends {
                 last[to] = Some(end);
             }
         }
+        let (own, other) = (self.passed_on(to), first.passed_on(lane));
+        if own < other { own / other } else { 1.0 }
+    }
+
+    /// What reaches the eye of the light that falls on a lane's vertex.
+    fn passed_on(&self, k: usize) -> f32 {
+        if self.live >> k & 1 == 1 { (self.throughput[k] * self.reflectance[k]).max_channel() } else { 0.0 }
     }
 
     /// Ends where a longer path did; returns the direction of its last ray, and what that met.
