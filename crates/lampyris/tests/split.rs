@@ -11,7 +11,7 @@ use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::frame::Frame;
 use lampyris::material::{Bsdf, Class, Dielectric, Pbr, Sides, Transport, Ward, fresnel};
-use lampyris::testing::Moments;
+use lampyris::testing::{Moments, sidak};
 use support::{Build, diffuse, gloss, say, spread, view};
 
 /// What a frame of some batches tells, rendered on so many threads.
@@ -131,6 +131,48 @@ fn glass_shows_what_is_before_and_behind_it() {
             }
         }
     }
+}
+
+/// Sheets of narrow lobes between two glowing walls, against the path tracer: both paths find the walls by their lobes and by
+/// points on them, and neither finds any light twice. Welch's t-test over seeds at a common level of 1 %.
+#[test]
+fn narrow_lobes_keep_their_mean() {
+    const SEEDS: u32 = 24;
+    let rough = Dielectric { alpha: 0.1, ..Dielectric::new(1.5, Rgb::grey(0.9)) };
+    let pane = Pbr { transmission: 0.9, metallic: 0.1, roughness: 0.35, ..Pbr::default() };
+    let Bsdf::Ward(polish) = gloss(0.0, 0.3, 0.1) else { unreachable!("gloss is Ward's") };
+    let both = Ward { transmission: Rgb::grey(0.5), transmission_alpha: 0.05, ..polish };
+    let sheets = [
+        Bsdf::Dielectric(rough),
+        Bsdf::Pbr(pane),
+        Bsdf::Ward(both),
+        gloss(0.3, 0.2, 0.1),
+        gloss(0.6, 0.02, 0.1),
+    ];
+    let least = sheets.map(|bsdf| {
+        let mut b = Build::default();
+        let sheet = b.material(bsdf, 0.0, Sides::Both);
+        let (before, behind) = (b.glow(1.0), b.glow(4.0));
+        b.quad(Vec3::new(0.0, -2.0, -2.0), Vec3::Y * 4.0, Vec3::Z * 4.0, sheet);
+        b.quad(Vec3::new(2.0, -1.0, -3.0), Vec3::Z * 3.0, Vec3::Y * 2.0, before);
+        b.quad(Vec3::new(-2.0, -1.0, -3.0), Vec3::Y * 2.0, Vec3::Z * 3.0, behind);
+        let eye = view(Vec3::new(1.0, 0.1, 0.8), Vec3::new(0.0, 0.0, -0.3), 50.0, 16, 12);
+        let mut sides = [Moments::default(); 2];
+        for seed in 0..SEEDS {
+            let fast = Settings { filter: false, ..first_frame(support::UNBIASED, 2 * seed) };
+            let oracle = support::settings(support::ORACLE, 1, 8, 2 * seed + 1);
+            for (side, settings) in sides.iter_mut().zip([fast, oracle]) {
+                let mean = frame(&b, &eye, &settings, 4, None, Frame::mean);
+                side.push(mean.iter().map(|v| f64::from(v.luminance())).sum());
+            }
+        }
+        let [fast, path] = sides;
+        let noise = fast.standard_error().max(path.standard_error()) / path.mean();
+        say(format_args!("{:+.4} of path, noise {noise:.4}", fast.mean() / path.mean() - 1.0));
+        assert!(noise < 0.02, "too noisy to tell anything: {noise}");
+        fast.p_value_against(&path)
+    });
+    assert!(least.iter().all(|p| *p > sidak(0.01, least.len())), "{least:?}");
 }
 
 /// The numbers that choose a sharp lobe lead to reflection below the share that a surface states, and nowhere above it.

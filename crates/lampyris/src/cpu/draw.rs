@@ -243,7 +243,8 @@ impl Job {
         rects.collect()
     }
 
-    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` and `seconds` are memory to use.
+    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` and `seconds` are memory to
+    /// use.
     fn render<'w>(
         &'w self,
         [tiles, seconds]: &mut [Vec<Tile<'w>>; 2],
