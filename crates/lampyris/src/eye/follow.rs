@@ -1,8 +1,8 @@
 //! An eye path through mirrors, glass and polish, one vertex after another.
 //!
-//! At the first surface it splits, once [Wald et al. 2002, §4]. Where that is dull as well as sharp, the first path ends on its dull lobes and a
-//! second one goes on over the sharp ones; where it reflects and passes light sharply, the first goes through and the second
-//! is reflected. At later vertices chance decides.
+//! At the first surface it splits, once [Wald et al. 2002, §4]. Where that is dull as well as sharp, the first path ends on
+//! its dull lobes and a second one goes on over the sharp ones; where it reflects and passes light sharply, the first goes
+//! through and the second is reflected. At later vertices chance decides.
 
 use super::Numbers;
 use crate::color::Rgb;
