@@ -1,7 +1,7 @@
 //! `lampyris bench`: how many frames a second this machine makes, everything worked out anew in each.
 //!
 //! Mode `wald` is the workload of [Wald et al. 2002, §5.1]: 3 × 3 interleaved, every virtual light of a class traced from
-//! every pixel, a 3 × 3 discontinuity buffer. Mode `picked` is a frame as it is shown by default. Phases are measured by
+//! every pixel, or picked where its eye path split, a 3 × 3 discontinuity buffer. Mode `picked` is a frame as it is shown by default. Phases are measured by
 //! leaving out what follows them: the walk alone; with eye rays; with the gather; with the filter.
 
 use crate::cli::BenchArgs;
@@ -246,6 +246,8 @@ pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
         passes: Some(1),
         interleave: [3, 3],
         light_points: Some(CLASSES * workload.light_points),
+        // More than there are: only where eye paths split, the second ones pick.
+        picks: Some(1 << 16),
         longest: workload.longest,
         filter: true,
         edges: 0,

@@ -12,7 +12,7 @@ use crate::integrator::{self, Integrator};
 use crate::particle::Plan;
 use crate::scene::{Edit, Scene};
 use crate::world::{Changes, World};
-use draw::Kind;
+use draw::Plane;
 
 /// All cores of this machine, or as many threads as one likes.
 pub struct Cpu {
@@ -27,10 +27,10 @@ struct Job {
     settings: Settings,
     plan: Plan,
     integrators: Vec<&'static dyn Integrator>,
-    /// Of each integrator the plane that its light is drawn into.
-    plane_of: Vec<usize>,
-    /// What the planes hold.
-    planes: Vec<Kind>,
+    /// What integrators draw into.
+    planes: Vec<Plane>,
+    /// Of each integrator, which of them the light of first eye paths is drawn into, and which that of second ones.
+    planes_of: Vec<[usize; 2]>,
     frame: Frame,
     statistics: Statistics,
 }
@@ -60,10 +60,7 @@ impl Cpu {
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
         // Either parts have planes of their own or light groups: both would be too many.
         let apart = world.scene().groups.is_empty();
-        let kinds: Vec<Kind> = integrators.iter().map(|i| Kind::of(*i)).collect();
-        let place = |kind: &Kind| Kind::ALL.iter().position(|k| k == kind).unwrap_or(0);
-        let plane_of =
-            if apart { (0..integrators.len()).collect() } else { kinds.iter().map(place).collect() };
+        let (planes, planes_of) = Plane::deal(&integrators, apart);
         let (width, height) = eye.size();
         // Meters have no neighbours.
         let filter = settings.filter && matches!(eye, Eye::Camera(_));
@@ -71,8 +68,8 @@ impl Cpu {
         let mut job = Job {
             plan: Plan::new(&world, &settings),
             frame: Frame::new(width, height, if apart { &names } else { &[] }, &settings, world.groups()),
-            plane_of,
-            planes: if apart { kinds } else { Kind::ALL.to_vec() },
+            planes,
+            planes_of,
             statistics: Statistics::default(),
             settings,
             world,

@@ -19,7 +19,8 @@ pub struct Settings {
     pub interleave: [u32; 2],
     /// Light points in one batch, drawn from the starts of its paths; `None` for all of them.
     pub light_points: Option<u32>,
-    /// Virtual lights that each packet of pixels picks by what they would give it unshadowed; `None` for all.
+    /// Virtual lights that each packet of pixels picks by what they would give it unshadowed, all where there are fewer; packets
+    /// of second eye paths their share of that. `None` for all, whatever the paths.
     pub picks: Option<u32>,
     /// Segments of the longest paths whose light is counted, from the lamp to the eye; `None` for all of them. A limit is a
     /// bias: it takes the light of longer paths from `vpl`, and counts for `vpl` alone. What it takes is the part *cut-off*.

@@ -10,9 +10,9 @@ use lampyris::material::Sides;
 use lampyris::testing::Moments;
 use support::{Build, gloss, say, view};
 
-/// A polished floor, which fills the picture, before a wall that glows in part: chance decides at each pixel whether the
-/// wall's reflection is seen or the floor itself, which is black here. If the choice decided who looks again, a sixth of
-/// the reflection would be missing.
+/// A polished floor, which fills the picture, before a wall that glows in part: eye paths that end on the floor, which is
+/// black here, and second ones, by chance, that see the wall's reflection. If that chance decided who looks again, or further
+/// looks forgot what second paths saw, part of the reflection would be missing.
 #[test]
 fn polish_keeps_its_reflections() {
     let mut b = Build::default();

@@ -38,14 +38,42 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    pub(super) const ALL: [Kind; 3] = [Kind::Shared, Kind::Own, Kind::Emission];
-
-    pub(super) fn of(integrator: &dyn Integrator) -> Kind {
+    fn of(integrator: &dyn Integrator) -> Kind {
         match integrator.is_smooth() {
             true => Kind::Shared,
             false if integrator.name() == "emission" => Kind::Emission,
             false => Kind::Own,
         }
+    }
+}
+
+/// One plane of what is drawn in a tile.
+#[derive(Clone, Copy)]
+pub(super) struct Plane {
+    kind: Kind,
+    /// Which of a layer's exact sums it is added to.
+    sum: usize,
+    /// Whether it is for the light of second eye paths alone: it stays empty until there are some.
+    late: bool,
+}
+
+impl Plane {
+    /// The planes that integrators draw into, and of each integrator which two are its: that of first eye paths and that of
+    /// second ones. Either the parts are told apart, or three planes hold what is to be shown in the same way.
+    pub(super) fn deal(integrators: &[&dyn Integrator], apart: bool) -> (Vec<Plane>, Vec<[usize; 2]>) {
+        let kinds = integrators.iter().map(|i| Kind::of(*i));
+        if !apart {
+            let planes =
+                [Kind::Shared, Kind::Own, Kind::Emission].map(|kind| Plane { kind, sum: 0, late: false });
+            let two =
+                kinds.map(|kind| [kind, Kind::Own].map(|kind| planes.iter().position(|p| p.kind == kind)));
+            let two = two.map(|places| places.map(Option::unwrap_or_default)).collect();
+            return (planes.to_vec(), two);
+        }
+        let number = integrators.len();
+        let first = kinds.zip(0..).map(|(kind, sum)| Plane { kind, sum, late: false });
+        let second = (0..number).map(|sum| Plane { kind: Kind::Own, sum, late: true });
+        (first.chain(second).collect(), (0..number).map(|k| [k, number + k]).collect())
     }
 }
 
@@ -162,8 +190,8 @@ impl Job {
                 .collect();
             let done: Vec<Summed> = pieces
                 .par_iter()
-                .map_init(Vec::new, |tiles, (rect, numbers)| {
-                    self.render(tiles, *rect, numbers.clone(), shared, note, &layer_of)
+                .map_init(Default::default, |paths, (rect, numbers)| {
+                    self.render(paths, *rect, numbers.clone(), shared, note, &layer_of)
                 })
                 .collect();
             if let (Some(seen), Some(first), Some(last)) = (&mut seen, band.first(), band.last()) {
@@ -215,10 +243,11 @@ impl Job {
         rects.collect()
     }
 
-    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` is memory to use.
+    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` and `seconds` are memory to
+    /// use.
     fn render<'w>(
         &'w self,
-        tiles: &mut Vec<Tile<'w>>,
+        [tiles, seconds]: &mut [Vec<Tile<'w>>; 2],
         rect: Rect,
         numbers: Range<u32>,
         shared: &Shared<'w>,
@@ -227,8 +256,8 @@ impl Job {
     ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
         let layers = shared.groups.len();
-        let mut planes: Vec<Vec<Vec<Rgb>>> =
-            self.planes.iter().map(|_| vec![vec![Rgb::BLACK; pixels]; layers]).collect();
+        let plane = |of: &Plane| vec![vec![Rgb::BLACK; if of.late { 0 } else { pixels }]; layers];
+        let mut planes: Vec<Vec<Vec<Rgb>>> = self.planes.iter().map(plane).collect();
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         self.eye.lay_out(&self.world, rect, self.settings.interleave, tiles);
@@ -236,7 +265,11 @@ impl Job {
             let sampling = self.sampling(shared.batch, number);
             for tile in tiles.iter_mut() {
                 self.eye.look(&sampling, tile);
-                rays.eye += tile.rays;
+            }
+            self.eye.split(tiles, seconds);
+            rays.eye += tiles.iter().chain(&*seconds).map(|tile| tile.rays).sum::<u64>();
+            if seconds.iter().any(|tile| !tile.packets.is_empty()) {
+                planes.iter_mut().flatten().for_each(|plane| plane.resize(pixels, Rgb::BLACK));
             }
             let first = number as usize * tiles.len();
             let passes: Vec<Pass<'_>> = shared.lights[first..first + tiles.len()]
@@ -251,9 +284,13 @@ impl Job {
                     sampling,
                 })
                 .collect();
-            for (integrator, plane) in self.integrators.iter().zip(&self.plane_of) {
+            for (integrator, [first, second]) in self.integrators.iter().zip(&self.planes_of) {
                 for (pass, tile) in passes.iter().zip(tiles.iter()) {
-                    integrator.add(pass, tile, &mut planes[*plane], &mut rays);
+                    integrator.add(pass, tile, &mut planes[*first], &mut rays);
+                }
+                let more = passes.iter().zip(seconds.iter()).filter(|(_, tile)| !tile.packets.is_empty());
+                for (pass, tile) in more.filter(|_| !integrator.starts_at_the_eye()) {
+                    integrator.add(pass, tile, &mut planes[*second], &mut rays);
                 }
             }
             if let Some(sums) = &mut auxiliary {
@@ -272,9 +309,9 @@ impl Job {
         }
         let glimpse = self.settings.filter.then(|| self.glimpse(rect, tiles, &planes, layer_of));
         let mut layers: Vec<Vec<Vec<Rgb>>> = vec![Vec::new(); layers];
-        for plane in planes {
+        for (plane, of) in planes.into_iter().zip(&self.planes) {
             for (layer, plane) in layers.iter_mut().zip(plane) {
-                match layer.first_mut().filter(|_| !self.world.scene().groups.is_empty()) {
+                match layer.get_mut(of.sum) {
                     Some(sum) => sum.iter_mut().zip(plane).for_each(|(sum, v)| *sum += v),
                     None => layer.push(plane),
                 }
@@ -294,8 +331,8 @@ impl Job {
         let layers = planes.first().map_or(0, Vec::len);
         let mut glimpse = Glimpse::new(rect, layers);
         for layer in 0..layers {
-            for (plane, kind) in planes.iter().zip(&self.planes) {
-                match kind {
+            for (plane, of) in planes.iter().zip(&self.planes) {
+                match of.kind {
                     Kind::Shared => glimpse.add_shared(layer, &plane[layer]),
                     Kind::Own => glimpse.add_own(layer, &plane[layer]),
                     Kind::Emission => {}
@@ -309,8 +346,8 @@ impl Job {
                 }
             }
             for k in p.lanes() {
-                if let Some((surface, by_chance)) = p.alike(k) {
-                    glimpse.surface(p.pixels[k] as usize, surface, by_chance);
+                if let Some(surface) = p.alike(k) {
+                    glimpse.surface(p.pixels[k] as usize, surface);
                 }
             }
             for k in lanes(p.live) {

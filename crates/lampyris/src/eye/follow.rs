@@ -1,4 +1,8 @@
 //! An eye path through mirrors, glass and polish, one vertex after another.
+//!
+//! At the first surface it splits, once [Wald et al. 2002, §4]. Where that is dull as well as sharp, the first path ends on
+//! its dull lobes and a second one goes on over the sharp ones; where it reflects and passes light sharply, the first goes
+//! through and the second is reflected. At later vertices chance decides.
 
 use super::Numbers;
 use crate::color::Rgb;
@@ -6,7 +10,8 @@ use crate::geometry::{Hit, Ray};
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
-use crate::world::{Finish, Surface, World};
+use crate::world::{Surface, World};
+use glam::Vec3;
 
 /// Sharp vertices after which an eye path is continued by roulette.
 const CERTAIN_VERTICES: u32 = 6;
@@ -16,6 +21,9 @@ const MAX_VERTICES: u32 = 1024;
 
 /// The surest roulette: of paths that lose nothing on their way one in 10⁸ lives to be cut off.
 const SUREST: f32 = 0.98;
+
+/// Second paths that have a smaller share of what the first surface reflects are followed by chance, in proportion.
+const WORTH: f32 = 0.1;
 
 /// How an eye path came to its first dull vertex.
 pub(super) struct Ended<'w> {
@@ -27,92 +35,175 @@ pub(super) struct Ended<'w> {
     pub(super) throughput: Rgb,
 }
 
-/// What becomes of an eye path at a vertex, and the weight of having chosen so.
-pub(super) enum Next {
-    /// Nothing is reflected.
-    Lost,
-    /// The vertex is the one to shade, by its dull lobes.
-    Ends(f32),
-    /// It goes on over the sharp lobes.
-    GoesOn(f32),
+/// The two ways on from the first surface.
+struct Fork {
+    /// Whether the first path ends there, by the dull lobes.
+    ends: bool,
+    /// Of the numbers in [0, 1) that choose a sharp lobe, the second path has those below; the first has the rest, unless it
+    /// ends.
+    second: f32,
 }
 
-/// Chooses between the classes of lobes at vertex number `vertex`.
-#[inline]
-pub(super) fn next(finish: &Finish, numbers: Numbers, vertex: u32) -> Next {
-    let (sharp, dull) = finish.weights();
-    if sharp + dull <= 0.0 {
-        return Next::Lost;
-    }
-    if sharp == 0.0 {
-        return Next::Ends(1.0);
-    }
-    let go_on = sharp / (sharp + dull);
-    if numbers.one(ledger::class(vertex)) >= go_on {
-        Next::Ends(1.0 / (1.0 - go_on))
-    } else {
-        Next::GoesOn(1.0 / go_on)
+impl Fork {
+    /// `None` where nothing is reflected.
+    fn of(surface: &Surface<'_>, numbers: Numbers) -> Option<Fork> {
+        let (sharp, dull) = surface.finish.weights();
+        match (sharp > 0.0, dull > 0.0) {
+            (false, false) => None,
+            (any, true) => Some(Fork { ends: true, second: if any { 1.0 } else { 0.0 } }),
+            (true, false) => {
+                let reflected = surface.reflected_sharply(numbers.pair(ledger::direction(0)));
+                Some(Fork { ends: false, second: if reflected < 1.0 { reflected } else { 0.0 } })
+            }
+        }
     }
 }
 
 /// Follows an eye path through sharp lobes to its first dull vertex, telling of what glows on the way: which emitter, and
-/// what of its light the eye sees [cd/m²].
-pub(super) fn follow<'w>(
+/// what of its light the eye sees [cd/m²]. Returns where it ends, and whether a second path leaves its first surface.
+pub(super) fn first<'w>(
     world: &'w World,
-    mut ray: Ray,
-    first: Option<Hit>,
+    ray: Ray,
+    hit: Option<Hit>,
     numbers: Numbers,
-    mut gleam: impl FnMut(u32, Rgb),
+    gleam: &mut impl FnMut(u32, Rgb),
+    rays: &mut Rays,
+) -> (Option<Ended<'w>>, bool) {
+    let mut line = Line { world, numbers, throughput: Rgb::WHITE, pdf: f32::INFINITY };
+    let Some((surface, hit)) = line.arrive(&ray, hit, None, gleam) else { return (None, false) };
+    let Some(fork) = Fork::of(&surface, numbers) else { return (None, false) };
+    let ended = if fork.ends {
+        Some(Ended { surface, hit, throughput: line.throughput })
+    } else {
+        let ray = line.leave(&surface, 0, [fork.second, 1.0], gleam, rays);
+        ray.and_then(|ray| line.follow(surface, ray, gleam, rays))
+    };
+    (ended, fork.second > 0.0)
+}
+
+/// Whether the second path that leaves the first surface of an eye path is to be followed: then its weight.
+pub(super) fn second_weight(surface: &Surface<'_>, numbers: Numbers) -> Option<f32> {
+    let fork = Fork::of(surface, numbers)?;
+    let sharp = surface.albedo(Class::Sharp).max_channel();
+    let share = fork.second * sharp / (sharp + surface.finish.weights().1);
+    let probability = (share / WORTH).min(1.0);
+    (numbers.one(ledger::class(0)) < probability).then(|| 1.0 / probability)
+}
+
+/// Follows that path, with its weight, to its first dull vertex; `numbers` are those of the first path, `own` those of this
+/// one. Tells of what glows as [`first`] does, after the first surface.
+pub(super) fn second<'w>(
+    world: &'w World,
+    (origin, surface): (Vec3, Surface<'w>),
+    weight: f32,
+    [numbers, own]: [Numbers; 2],
+    gleam: &mut impl FnMut(u32, Rgb),
     rays: &mut Rays,
 ) -> Option<Ended<'w>> {
-    let mut throughput = Rgb::WHITE;
-    // Density with which the current ray was chosen; infinite if no light could have been sampled instead.
-    let mut pdf = f32::INFINITY;
-    let mut hit = first;
-    let mut last: Option<Surface<'_>> = None;
-    for vertex in 0..MAX_VERTICES {
+    let throughput = surface.clear_from(origin, None) * weight;
+    let mut line = Line { world, numbers, throughput, pdf: f32::INFINITY };
+    let below = Fork::of(&surface, numbers)?.second;
+    let ray = line.leave(&surface, 0, [0.0, below], gleam, rays)?;
+    line.numbers = own;
+    line.follow(surface, ray, gleam, rays)
+}
+
+/// An eye path on its way.
+struct Line<'w> {
+    world: &'w World,
+    numbers: Numbers,
+    /// What the radiance it meets is multiplied by on its way to the eye.
+    throughput: Rgb,
+    /// Density with which the current ray was chosen; infinite if no light could have been sampled instead.
+    pdf: f32,
+}
+
+impl<'w> Line<'w> {
+    /// Goes on by chance from a ray that left `last`, the first surface.
+    fn follow(
+        mut self,
+        mut last: Surface<'w>,
+        mut ray: Ray,
+        gleam: &mut impl FnMut(u32, Rgb),
+        rays: &mut Rays,
+    ) -> Option<Ended<'w>> {
+        for vertex in 1..MAX_VERTICES {
+            let hit = self.world.tracer().closest(&ray);
+            let (surface, hit) = self.arrive(&ray, hit, Some(&last), gleam)?;
+            let (sharp, dull) = surface.finish.weights();
+            if sharp + dull <= 0.0 {
+                return None;
+            }
+            let go_on = sharp / (sharp + dull);
+            // All numbers are less than 1.
+            if self.numbers.one(ledger::class(vertex)) >= go_on {
+                return Some(Ended { surface, hit, throughput: self.throughput * (1.0 / (1.0 - go_on)) });
+            }
+            self.throughput *= 1.0 / go_on;
+            ray = self.leave(&surface, vertex, [0.0, 1.0], gleam, rays)?;
+            last = surface;
+        }
+        None
+    }
+
+    /// Tells of what glows along a ray and where it ends; returns what it meets.
+    fn arrive(
+        &mut self,
+        ray: &Ray,
+        hit: Option<Hit>,
+        last: Option<&Surface<'_>>,
+        gleam: &mut impl FnMut(u32, Rgb),
+    ) -> Option<(Surface<'w>, Hit)> {
+        let (world, pdf) = (self.world, self.pdf);
         let t_max = hit.map_or(f32::INFINITY, |h| h.t);
         world.glows(ray.origin, ray.direction, t_max, |glow| {
             let clear = last.map_or(Rgb::WHITE, |s| s.clear_to(ray.direction, glow.distance, None));
-            gleam(glow.emitter, throughput * clear * glow.radiance * balance(pdf, glow.pdf));
+            gleam(glow.emitter, self.throughput * clear * glow.radiance * balance(pdf, glow.pdf));
         });
-        let at = hit?;
-        let surface = world.surface(ray.direction, &at);
-        throughput *= surface.clear_from(ray.origin, last.as_ref());
+        let hit = hit?;
+        let surface = world.surface(ray.direction, &hit);
+        self.throughput *= surface.clear_from(ray.origin, last);
         if !surface.emission().is_black()
             && let Some(emitter) = world.emitter_of(&surface)
         {
             let weight =
                 if pdf.is_finite() { balance(pdf, world.pdf_toward(&surface, ray.origin)) } else { 1.0 };
-            gleam(emitter, throughput * surface.emission() * weight);
+            gleam(emitter, self.throughput * surface.emission() * weight);
         }
-        match next(&surface.finish, numbers, vertex) {
-            Next::Lost => return None,
-            Next::Ends(weight) => {
-                return Some(Ended { surface, hit: at, throughput: throughput * weight });
-            }
-            Next::GoesOn(weight) => throughput *= weight,
+        Some((surface, hit))
+    }
+
+    /// Leaves a vertex over those sharp lobes that numbers in a range choose, with what they are of all.
+    fn leave(
+        &mut self,
+        surface: &Surface<'w>,
+        vertex: u32,
+        [from, to]: [f32; 2],
+        gleam: &mut impl FnMut(u32, Rgb),
+        rays: &mut Rays,
+    ) -> Option<Ray> {
+        // The lobes may be shared out: one path tells of the lights that they all reflect.
+        if to == 1.0 {
+            let throughput = self.throughput;
+            highlight(self.world, surface, self.numbers, vertex, rays, |emitter, light| {
+                gleam(emitter, throughput * light);
+            });
         }
-        highlight(world, &surface, numbers, vertex, rays, |emitter, light| {
-            gleam(emitter, throughput * light)
-        });
-        let [u, v, _, lobe] = numbers.four(ledger::direction(vertex));
-        let scatter = surface.sample(Class::Sharp, [u, v], lobe)?;
-        throughput *= scatter.weight;
-        pdf = scatter.pdf;
+        let [u, v, _, lobe] = self.numbers.four(ledger::direction(vertex));
+        let choice = (from + (to - from) * lobe).min(1.0f32.next_down());
+        let scatter = surface.sample(Class::Sharp, [u, v], choice)?;
+        self.throughput *= scatter.weight * (to - from);
+        self.pdf = scatter.pdf;
         if vertex >= CERTAIN_VERTICES {
-            let stay = throughput.max_channel().clamp(0.0, SUREST);
-            if numbers.one(ledger::roulette(vertex)) >= stay {
+            let stay = self.throughput.max_channel().clamp(0.0, SUREST);
+            if self.numbers.one(ledger::roulette(vertex)) >= stay {
                 return None;
             }
-            throughput *= 1.0 / stay;
+            self.throughput *= 1.0 / stay;
         }
-        ray = Ray::new(surface.spawn(scatter.wi), scatter.wi);
         rays.eye += 1;
-        last = Some(surface);
-        hit = world.tracer().closest(&ray);
+        Some(Ray::new(surface.spawn(scatter.wi), scatter.wi))
     }
-    None
 }
 
 /// Lights reflected by polish that is no delta lobe, by next-event estimation.

@@ -1,7 +1,8 @@
 //! From the eye to the first dull surface: the visible points of a tile, sixteen to a packet.
 //!
-//! An eye path goes on through sharp lobes (mirrors, glass, polish) by chance; what glows along it, seen directly or
-//! by reflection, is the part *emission*. The first dull vertex x is what integrators shade.
+//! An eye path goes on through sharp lobes (mirrors, glass, polish); what glows along it, seen directly or by reflection, is
+//! the part *emission*. The first dull vertex x is what integrators shade. At the first surface a path splits in two where
+//! light comes from there in two ways, and the second paths have packets of their own.
 
 mod follow;
 mod packet;
@@ -93,9 +94,15 @@ pub struct Tile<'w> {
     pub rect: Rect,
     /// The points.
     pub packets: Vec<Packet<'w>>,
+    /// How many of the virtual lights that others pick are worth picking here: 1, or the share of their light that second
+    /// paths bring, if that is less.
+    pub stake: f32,
     /// Rays it took.
     pub rays: u64,
 }
+
+/// No rectangle yet.
+const NOWHERE: Rect = Rect { x: 0, y: 0, width: 0, height: 0 };
 
 /// Which sample of every pixel an eye pass takes.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +145,7 @@ impl Eye {
         // Meters lie in one row: there a packet is a run of sixteen.
         let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
         let blocks = |from: u32, to: u32, step: u32| (from..to).step_by(step as usize);
-        tiles.resize_with((n * m) as usize, || Tile { rect, packets: Vec::new(), rays: 0 });
+        tiles.resize_with((n * m) as usize, || Tile { rect, packets: Vec::new(), stake: 1.0, rays: 0 });
         for (tile, class) in tiles.iter_mut().zip(0..) {
             (tile.rect, tile.rays) = (rect, 0);
             let columns = blocks(class % n, rect.width, bw * n);
@@ -173,7 +180,36 @@ impl Eye {
         tile.rays = tile.packets.iter_mut().map(|packet| self.look_by(&samplings, packet)).sum();
     }
 
-    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it. Returns the rays it took.
+    /// Follows the second paths of tiles that were looked at, which left their first surface in another way than the first
+    /// paths: a tile of them for each. What they see is to be added to what the first ones see; a pixel may occur in them
+    /// once or not at all. What `seconds` held is forgotten, its memory used again.
+    pub fn split<'w>(&self, tiles: &[Tile<'w>], seconds: &mut Vec<Tile<'w>>) {
+        let none = || Tile { rect: NOWHERE, packets: Vec::new(), stake: 1.0, rays: 0 };
+        seconds.resize_with(tiles.len(), none);
+        for (tile, second) in tiles.iter().zip(seconds) {
+            let (mut count, mut stakes, mut rays) = (0, 0.0, Rays::default());
+            if let Eye::Camera(view) = self {
+                for path in tile.packets.iter().flat_map(|packet| packet.seconds(view.eye())) {
+                    let (number, lane) = (count / LANES, count % LANES);
+                    if number == second.packets.len() {
+                        second.packets.push(Packet::new(path.world()));
+                    }
+                    let packet = &mut second.packets[number];
+                    if lane == 0 {
+                        packet.clear();
+                    }
+                    stakes += packet.follow(lane, path, &mut rays);
+                    count += 1;
+                }
+            }
+            second.packets.truncate(count.div_ceil(LANES));
+            let live: u32 = second.packets.iter().map(|packet| packet.live.count_ones()).sum();
+            (second.rect, second.stake, second.rays) = (tile.rect, stakes / live.max(1) as f32, rays.eye);
+        }
+    }
+
+    /// Sends the eye paths of a packet, each lane's as a sampling of its own has it, as far as the first paths go. Returns
+    /// the rays it took.
     pub fn look_by(&self, samplings: &[&Sampling; LANES], packet: &mut Packet<'_>) -> u64 {
         let mut rays = Rays::default();
         packet.start(self, samplings);

@@ -2,7 +2,7 @@
 //!
 //! What every light asks of a vertex lies in arrays; the whole surface is worked out again where somebody asks.
 
-use super::follow::{Ended, Next, follow, next};
+use super::follow::{Ended, first, second, second_weight};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
@@ -81,7 +81,27 @@ pub struct Packet<'w> {
     pub gleams: Vec<Gleam>,
     /// The random numbers of each lane.
     pub numbers: [Numbers; LANES],
+    /// Lanes whose first surface a second path leaves.
+    forks: u16,
     ends: Ends,
+}
+
+/// A second path that is to be followed.
+pub(super) struct Second<'p, 'w> {
+    first: &'p Packet<'w>,
+    /// The lane of `first` that it splits from.
+    lane: usize,
+    /// Where the camera is.
+    eye: Vec3,
+    /// The surface that it leaves.
+    surface: Surface<'w>,
+    weight: f32,
+}
+
+impl<'w> Second<'_, 'w> {
+    pub(super) fn world(&self) -> &'w World {
+        self.first.world
+    }
 }
 
 /// How the paths of a packet came to where they end.
@@ -92,7 +112,8 @@ enum Ends {
     Nowhere,
     /// On meters: position and normal say all.
     Meters,
-    /// On what camera rays met, or, where `last` says so, on what the last ray of a longer path met.
+    /// On what camera rays met, or, where `last` says so, on what the last ray of a longer path met; of second paths it
+    /// always does.
     Camera { directions: Vectors, hits: Hits16, last: [Option<(Vec3, Hit)>; LANES] },
 }
 
@@ -115,6 +136,7 @@ impl<'w> Packet<'w> {
             throughput: [Rgb::WHITE; LANES],
             gleams: Vec::new(),
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
+            forks: 0,
             ends: Ends::Nowhere,
         }
     }
@@ -168,23 +190,12 @@ impl<'w> Packet<'w> {
         Some(First { albedo, normal: s.shading, depth: hit.t, instance: s.instance })
     }
 
-    /// A number that tells the surface that a lane sees from others, of its instance and material, and whether chance led
-    /// the path on from there, though it might have ended. Of a lane that sees through mirrors and glass it is the surface at
-    /// the end.
-    pub fn alike(&self, k: usize) -> Option<(u32, bool)> {
+    /// A number that tells the surface that a lane sees from others, of its instance and material. Of a lane that sees
+    /// through mirrors and glass it is the surface at the end.
+    pub fn alike(&self, k: usize) -> Option<u32> {
         let Ends::Camera { hits, last, .. } = &self.ends else { return None };
-        let first = hits.get(k)?;
-        let polished = self.live >> k & 1 == 0 || last[k].is_some();
-        let polished = polished && self.world.finish(first.instance, first.triangle).weights().1 > 0.0;
-        let (instance, triangle) = match &last[k] {
-            Some((_, hit)) if !polished => (hit.instance, hit.triangle),
-            _ => (first.instance, first.triangle),
-        };
-        let went_on = last[k].as_ref().is_none_or(|(_, hit)| *hit != first);
-        Some((
-            sequence::hash(instance, self.world.facets().material(instance, triangle)),
-            polished && went_on,
-        ))
+        let Hit { instance, triangle, .. } = last[k].map(|(_, hit)| hit).or_else(|| hits.get(k))?;
+        Some(sequence::hash(instance, self.world.facets().material(instance, triangle)))
     }
 
     /// The box around the points of live lanes.
@@ -196,7 +207,7 @@ impl<'w> Packet<'w> {
 
     /// Forgets the paths of an earlier pass and draws new numbers.
     pub(super) fn start(&mut self, eye: &Eye, samplings: &[&Sampling; LANES]) {
-        (self.live, self.lambertian, self.glossy, self.opaque) = (0, 0, 0, 0);
+        (self.live, self.lambertian, self.glossy, self.opaque, self.forks) = (0, 0, 0, 0, 0);
         self.gleams.clear();
         self.throughput = [Rgb::WHITE; LANES];
         let [x, y] = &self.place;
@@ -238,9 +249,10 @@ impl<'w> Packet<'w> {
                     known = plain_finish(world, last);
                 }
                 let Some(finish) = known else { continue };
-                if let Next::Ends(weight) = next(finish, self.numbers[k], 0) {
+                let (sharp, dull) = finish.weights();
+                if dull > 0.0 {
                     plain |= 1 << k;
-                    self.throughput[k] = Rgb::grey(weight);
+                    self.forks |= u16::from(sharp > 0.0) << k;
                     self.note(k, finish);
                 }
             }
@@ -252,20 +264,68 @@ impl<'w> Packet<'w> {
         let mut last = [None; LANES];
         for k in lanes(winding) {
             let ray = Ray::new(view.eye(), lane(&directions, k));
-            let first = hits.get(k);
-            let gleam = |emitter, radiance: Rgb| {
-                if !radiance.is_black() {
-                    self.gleams.push(Gleam { lane: k, emitter, radiance });
-                }
-            };
-            let ended = follow(world, ray, first, self.numbers[k], gleam, rays);
-            if let Some(Ended { surface, hit, throughput }) = ended {
-                self.end_on(k, &surface);
-                self.throughput[k] = throughput;
-                last[k] = Some((-surface.wo, hit));
-            }
+            let gleams = &mut self.gleams;
+            let (ended, forks) =
+                first(world, ray, hits.get(k), self.numbers[k], &mut gleams_of(k, gleams), rays);
+            self.forks |= u16::from(forks) << k;
+            last[k] = ended.map(|ended| self.end(k, ended));
         }
         self.ends = Ends::Camera { directions, hits, last };
+    }
+
+    /// The second paths that are to be followed, of all lanes; the camera is at `eye`.
+    pub(super) fn seconds(&self, eye: Vec3) -> impl Iterator<Item = Second<'_, 'w>> {
+        let met = match &self.ends {
+            Ends::Camera { directions, hits, .. } => Some((directions, hits)),
+            _ => None,
+        };
+        lanes(self.forks).filter_map(move |k| {
+            let (directions, hits) = met?;
+            let surface = self.world.surface(lane(directions, k), &hits.get(k)?);
+            let weight = second_weight(&surface, self.numbers[k])?;
+            Some(Second { first: self, lane: k, eye, surface, weight })
+        })
+    }
+
+    /// Forgets everything, for second paths to come.
+    pub(super) fn clear(&mut self) {
+        (self.live, self.lambertian, self.glossy, self.opaque, self.forks) = (0, 0, 0, 0, 0);
+        self.pixels = [u32::MAX; LANES];
+        self.gleams.clear();
+        let (directions, hits) = ([[0.0; LANES]; 3], Hits16::default());
+        self.ends = Ends::Camera { directions, hits, last: [None; LANES] };
+    }
+
+    /// Follows a second path as one of its lanes. Returns the [`Tile::stake`] of that alone.
+    ///
+    /// [`Tile::stake`]: super::Tile::stake
+    pub(super) fn follow(&mut self, to: usize, path: Second<'_, 'w>, rays: &mut Rays) -> f32 {
+        let Second { first, lane, eye, surface, weight } = path;
+        let numbers = [first.numbers[lane], first.numbers[lane].branch(b'2'.into())];
+        (self.pixels[to], self.numbers[to]) = (first.pixels[lane], numbers[1]);
+        (0..2).for_each(|axis| self.place[axis][to] = first.place[axis][lane]);
+        let gleams = &mut self.gleams;
+        let ended = second(self.world, (eye, surface), weight, numbers, &mut gleams_of(to, gleams), rays);
+        if let Some(ended) = ended {
+            let end = self.end(to, ended);
+            if let Ends::Camera { last, .. } = &mut self.ends {
+                last[to] = Some(end);
+            }
+        }
+        let (own, other) = (self.passed_on(to), first.passed_on(lane));
+        if own < other { own / other } else { 1.0 }
+    }
+
+    /// What reaches the eye of the light that falls on a lane's vertex.
+    fn passed_on(&self, k: usize) -> f32 {
+        if self.live >> k & 1 == 1 { (self.throughput[k] * self.reflectance[k]).max_channel() } else { 0.0 }
+    }
+
+    /// Ends where a longer path did; returns the direction of its last ray, and what that met.
+    fn end(&mut self, k: usize, Ended { surface, hit, throughput }: Ended<'_>) -> (Vec3, Hit) {
+        self.end_on(k, &surface);
+        self.throughput[k] = throughput;
+        (-surface.wo, hit)
     }
 
     fn end_on(&mut self, k: usize, surface: &Surface<'_>) {
@@ -291,6 +351,15 @@ impl<'w> Packet<'w> {
             self.gloss[k] = gloss;
         }
         self.opaque |= u16::from(!finish.transmits) << k;
+    }
+}
+
+/// Keeps what glows along the path of a lane.
+fn gleams_of(lane: usize, gleams: &mut Vec<Gleam>) -> impl FnMut(u32, Rgb) {
+    move |emitter, radiance| {
+        if !radiance.is_black() {
+            gleams.push(Gleam { lane, emitter, radiance });
+        }
     }
 }
 

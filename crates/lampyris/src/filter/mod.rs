@@ -223,8 +223,7 @@ impl Near {
                     let off = (qx[k] - px[k]) * nx[k] + (qy[k] - py[k]) * ny[k] + (qz[k] - pz[k]) * nz[k];
                     let same = facing > FACING && off.abs() <= slack[k] * far;
                     counts[k] = if same { 1.0 } else { 0.0 };
-                    let by_chance = alike[k] < 0.0 || other[k] < 0.0;
-                    let meet = other[k].abs() != alike[k].abs() || !(same || by_chance);
+                    let meet = other[k] != alike[k] || !same;
                     let beside = far <= 1.0 && meet;
                     self.edge[k] = if beside { 1.0 } else { self.edge[k] };
                 }

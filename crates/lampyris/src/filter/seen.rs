@@ -17,8 +17,7 @@ pub(super) const POSITION: usize = 3;
 pub(super) const NORMAL: usize = 6;
 /// How far from its tangent plane a vertex of the next pixel may lie [m].
 pub(super) const SLACK: usize = 9;
-/// A number that tells surfaces of one instance and material from others: less than 0 where the vertex is elsewhere by
-/// chance, 0 where nothing is seen.
+/// A number that tells surfaces of one instance and material from others, 0 where nothing is seen.
 pub(super) const ALIKE: usize = 10;
 /// Where the light of the first layer begins, then that of the next.
 const LIGHT: usize = 11;
@@ -85,12 +84,10 @@ impl Glimpse {
         self.set(SLACK, k, [slack]);
     }
 
-    /// Notes what tells the surface that pixel `k` sees from others, and whether chance led the path on from there: its
-    /// vertex is then elsewhere, but no edge.
-    pub fn surface(&mut self, k: usize, number: u32, by_chance: bool) {
+    /// Notes what tells the surface that pixel `k` sees from others.
+    pub fn surface(&mut self, k: usize, number: u32) {
         // Numbers up to 2²⁴ are exact.
-        let number = ((number >> 8) + 1) as f32;
-        self.set(ALIKE, k, [if by_chance { -number } else { number }]);
+        self.set(ALIKE, k, [((number >> 8) + 1) as f32]);
     }
 
     /// Adds light of a layer that neighbours may share, of all pixels row by row.

@@ -27,7 +27,7 @@ fn seen(at: impl Fn(u32, u32) -> Option<Pixel>) -> Seen {
             let (x, y) = rect.pixel(k);
             if let Some((position, normal, alike, tint, light)) = at(x, y) {
                 glimpse.place(k as usize, position, normal, tint, SLACK);
-                glimpse.surface(k as usize, alike << 8, false);
+                glimpse.surface(k as usize, alike << 8);
                 lit[k as usize] = tint * light;
             }
         }
@@ -190,7 +190,7 @@ fn bands_leave_no_trace() {
                     let (x, y) = rect.pixel(k);
                     let (position, normal, alike, tint, light) = bumpy(x, y).expect("a surface");
                     glimpse.place(k as usize, position, normal, tint, SLACK);
-                    glimpse.surface(k as usize, alike << 8, false);
+                    glimpse.surface(k as usize, alike << 8);
                     lit[k as usize] = tint * light;
                 }
                 add(&mut glimpse, &lit);

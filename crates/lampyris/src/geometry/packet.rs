@@ -11,7 +11,7 @@ use glam::Vec3;
 pub const LANES: usize = 16;
 
 /// What sixteen rays meet first; lanes outside `hit` hold zeros.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hits16 {
     /// Lanes that hit anything.
     pub hit: u16,

@@ -179,7 +179,7 @@ pub(super) fn tile_of_vpls<'w>(
     rays: &mut u64,
 ) {
     let (world, kernel) = (pass.world, pass.world.tracer().kernel());
-    let picks = |lights: &'w Lights<'w>| lights.picks(pass.settings, which(lights).0);
+    let picks = |lights: &'w Lights<'w>| lights.picks(pass.settings, which(lights).0, tile);
     for (lights, out) in pass.zip(out).filter(|(lights, _)| picks(lights).is_none()) {
         self::tile(world, tile, which(lights).0, out, rays);
     }

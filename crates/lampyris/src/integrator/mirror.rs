@@ -67,7 +67,7 @@ impl Integrator for Mirror {
 fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut u64) {
     let (world, kernel) = (pass.world, pass.world.tracer().kernel());
     // Many virtual lights are picked among packet by packet.
-    let picks = lights.picks(pass.settings, lights.vpls);
+    let picks = lights.picks(pass.settings, lights.vpls, tile);
     let sources = lights.points.iter().chain(if picks.is_none() { lights.vpls } else { &[] });
     let seed = sequence::hash(pass.sampling.seed, b'm'.into());
     let images: Vec<Image<'w>> = sources

@@ -66,10 +66,11 @@ pub struct Lights<'w> {
 }
 
 impl Lights<'_> {
-    /// How many of `of` of its virtual lights a packet picks in the mean; `None` for all.
-    fn picks(&self, settings: &Settings, of: &[Vpl<'_>]) -> Option<f32> {
-        let most = settings.picks? as f32 * self.share;
-        (most < of.len() as f32).then_some(most)
+    /// How many of `of` of its virtual lights the packets of a tile pick in the mean; `None` for all.
+    fn picks(&self, settings: &Settings, of: &[Vpl<'_>], tile: &Tile<'_>) -> Option<f32> {
+        let all = of.len() as f32;
+        let most = (settings.picks? as f32 * self.share).min(all) * tile.stake;
+        (most < all).then_some(most)
     }
 
     /// A number in [0, 1) as this group uses it: groups of small shares take turns.
@@ -108,12 +109,18 @@ pub trait Integrator: Send + Sync {
         true
     }
 
+    /// Whether it follows eye paths of its own from the eye on, each through a pixel of the tile: what others see by second
+    /// paths it has seen already.
+    fn starts_at_the_eye(&self) -> bool {
+        false
+    }
+
     /// Whether it asks for [`Pass::photons`].
     fn gathers_photons(&self) -> bool {
         false
     }
 
-    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass; `out` has a plane for each of
+    /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass over the tile's eye paths; `out` has a plane for each of
     /// [`Pass::lights`], row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays);
 }

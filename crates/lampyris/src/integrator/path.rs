@@ -35,6 +35,10 @@ impl Integrator for Path {
         false
     }
 
+    fn starts_at_the_eye(&self) -> bool {
+        true
+    }
+
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         for packet in &tile.packets {
             for k in packet.lanes() {

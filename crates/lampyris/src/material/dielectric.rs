@@ -71,7 +71,7 @@ impl Dielectric {
         }
         let eta = self.relative_ior(wo);
         let up = above(wo, wo);
-        let facet = if ggx.is_delta() { Vec3::Z } else { ggx.facet(up, u) };
+        let facet = self.facet(up, u);
         let cos_o = up.dot(facet);
         let (reflectance, cos_t) = fresnel(cos_o, eta);
         let (wi, weight) = if choice < reflectance {
@@ -93,6 +93,18 @@ impl Dielectric {
         }
         let pdf = self.pdf(class, wo, wi);
         (pdf > 0.0).then(|| Scatter { wi, weight: weight * ggx.weight(up.z, wi.z.abs()), pdf })
+    }
+
+    /// The chance of `sample` to reflect at the facet that `u` draws.
+    pub fn reflected_share(&self, wo: Vec3, u: [f32; 2]) -> f32 {
+        let up = above(wo, wo);
+        fresnel(up.dot(self.facet(up, u)), self.relative_ior(wo)).0
+    }
+
+    /// The normal of a facet that is seen from `up`.
+    fn facet(&self, up: Vec3, u: [f32; 2]) -> Vec3 {
+        let ggx = self.ggx();
+        if ggx.is_delta() { Vec3::Z } else { ggx.facet(up, u) }
     }
 
     /// Density of `sample` [sr⁻¹].

@@ -151,6 +151,17 @@ impl Bsdf {
         }
     }
 
+    /// Of the numbers `choice` in [0, 1) with which `sample` draws from the sharp lobes by `u`, the share, from 0 on, for which
+    /// it draws a reflection.
+    pub fn reflected_sharply(&self, wo: Vec3, u: [f32; 2]) -> f32 {
+        match self {
+            Bsdf::Diffuse(_) => 1.0,
+            Bsdf::Ward(m) => m.reflected_sharply(wo),
+            Bsdf::Pbr(m) => m.reflected_sharply(wo),
+            Bsdf::Dielectric(m) => m.reflected_share(wo, u),
+        }
+    }
+
     /// Density with which `sample` draws `wi` [sr⁻¹]; delta lobes have none, hence 0.
     pub fn pdf(&self, class: Class, wo: Vec3, wi: Vec3) -> f32 {
         match self {

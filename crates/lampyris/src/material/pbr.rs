@@ -121,6 +121,12 @@ impl Pbr {
         (lobe + base) / total
     }
 
+    /// The chance of `sample` to pick reflection among the sharp lobes.
+    pub fn reflected_sharply(&self, wo: Vec3) -> f32 {
+        let [mirror, pass, _] = self.picks(Class::Sharp, wo);
+        if pass > 0.0 { mirror / (mirror + pass) } else { 1.0 }
+    }
+
     /// Directional albedo of the lobes of `class`.
     pub fn albedo(&self, class: Class, wo: Vec3) -> Rgb {
         self.albedos(class, wo).into_iter().fold(Rgb::BLACK, |sum, a| sum + a)

@@ -147,6 +147,13 @@ impl Ward {
         .filter(move |g| g.class() == class && !g.value.is_black())
     }
 
+    /// The chance of `sample` to pick reflection among the sharp lobes.
+    pub fn reflected_sharply(&self, wo: Vec3) -> f32 {
+        let reflected = self.glosses(Class::Sharp).find(|g| !g.transmits).map_or(0.0, |g| g.pick_weight(wo));
+        let total = self.pick_weight(Class::Sharp, wo);
+        if total > 0.0 { reflected / total } else { 1.0 }
+    }
+
     fn pick_weight(&self, class: Class, wo: Vec3) -> f32 {
         self.glosses(class).fold(pick_weight(self.base.albedo(class)), |sum, g| sum + g.pick_weight(wo))
     }

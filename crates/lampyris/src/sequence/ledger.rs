@@ -16,7 +16,7 @@
 //! | first of a packet: which virtual lights, or images of them, it picks | 2 | 0 |
 //! | (free) | 3 | 0 |
 //! | vertex k ≥ 0: direction | 8k + 4, 8k + 5 | 2k + 1 |
-//! | vertex k ≥ 0: choice of class | 8k + 6 | 2k + 1 |
+//! | vertex k ≥ 0: choice of class; where the path splits instead, whether the second is followed | 8k + 6 | 2k + 1 |
 //! | vertex k ≥ 0: choice of lobe in the class | 8k + 7 | 2k + 1 |
 //! | vertex k ≥ 0: point on the light | 8k + 8, 8k + 9 | 2k + 2 |
 //! | vertex k ≥ 0: choice of the light | 8k + 10 | 2k + 2 |

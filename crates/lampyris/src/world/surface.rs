@@ -113,6 +113,17 @@ impl<'w> Surface<'w> {
         self.local_incident(wi).map_or(0.0, |l| self.finish.bsdf.pdf(class, self.local_outgoing(self.wo), l))
     }
 
+    /// Share of the light arriving from `wo` that the lobes of `class` send on, to a few per cent.
+    pub fn albedo(&self, class: Class) -> Rgb {
+        self.finish.bsdf.albedo(class, self.local_outgoing(self.wo))
+    }
+
+    /// Of the numbers `choice` in [0, 1) with which [`Self::sample`] draws a direction from the sharp lobes by `u`, the share,
+    /// from 0 on, for which it is a reflection.
+    pub fn reflected_sharply(&self, u: [f32; 2]) -> f32 {
+        self.finish.bsdf.reflected_sharply(self.local_outgoing(self.wo), u)
+    }
+
     /// Draws where the light that leaves toward `wo` came from; world direction, weight f_r·cos/pdf.
     pub fn sample(&self, class: Class, u: [f32; 2], choice: f32) -> Option<Scatter> {
         if let Some(rho) = self.lambertian(class).filter(|rho| !rho.is_black()) {
