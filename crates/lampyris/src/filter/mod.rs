@@ -53,7 +53,7 @@ impl Filter<'_> {
     ) -> u64 {
         let rows = seen.append(band, glimpses);
         let seen = &*seen;
-        let smooth = Smooth::new(self.world.tracer().kernel(), seen, rows.clone(), self.settings.interleave);
+        let smooth = Smooth::new(self.world.tracer().kernel(), seen, rows.clone(), self.settings);
         let width = seen.width as usize;
         let mut planes: Vec<_> = shown
             .iter_mut()
@@ -85,14 +85,15 @@ struct Smooth {
 
 impl Smooth {
     /// Of `rows` of the picture, and of the rows above and below.
-    fn new(kernel: Kernel, seen: &Seen, rows: Range<u32>, interleave: [u32; 2]) -> Smooth {
+    fn new(kernel: Kernel, seen: &Seen, rows: Range<u32>, settings: &Settings) -> Smooth {
         let (layers, stride) = (seen.layers(), seen.stride());
         let (top, end) = (rows.start.saturating_sub(1), (rows.end + 1).min(seen.height));
         let row = (3 * layers + 1) * stride;
         let mut values = vec![0.0; if rows.is_empty() { 0 } else { (end - top) as usize * row }];
-        let reach = interleave.map(|n| n as i32 / 2);
+        let reach = settings.interleave.map(|n| n as i32 / 2);
+        let edges = settings.edges > 0;
         values.par_chunks_mut(row).zip(top..end).for_each(|(values, y)| {
-            kernel.run(Row { seen, y, reach, layers, values });
+            kernel.run(Row { seen, y, reach, edges, layers, values });
         });
         Smooth { top, layers, stride, values }
     }
@@ -144,6 +145,8 @@ struct Row<'a> {
     y: u32,
     /// Neighbours to each side that may count, in x and y.
     reach: [i32; 2],
+    /// Whether somebody asks where surfaces meet.
+    edges: bool,
     layers: usize,
     /// Where it goes, as in [`Smooth`].
     values: &'a mut [f32],
@@ -154,7 +157,7 @@ impl Wide for Row<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Row { seen, y, reach, layers, values } = self;
+        let Row { seen, y, reach, edges, layers, values } = self;
         let (start, stride) = (seen.index(0, y), seen.stride());
         let mut near = Near::none();
         for x in (0..seen.width as usize).step_by(LANES) {
@@ -162,7 +165,7 @@ impl Wide for Row<'_> {
             let mut plane = |number: usize, found: &[f32; LANES]| {
                 values[number * stride + to..][..LANES].copy_from_slice(found);
             };
-            near.find(seen, start + x, reach);
+            near.find(seen, start + x, reach, edges);
             for layer in 0..layers {
                 for (channel, tint) in near.tint.iter().enumerate() {
                     plane(3 * layer + channel, &near.light(seen, lit(layer) + channel, tint));
@@ -203,7 +206,7 @@ impl Near {
 
     /// Those of sixteen pixels from `at` on.
     #[inline(always)]
-    fn find(&mut self, seen: &Seen, at: usize, [wide, high]: [i32; 2]) {
+    fn find(&mut self, seen: &Seen, at: usize, [wide, high]: [i32; 2], edges: bool) {
         let own = |plane: usize| load(&seen.planes[plane], at);
         let (px, py, pz) = (own(POSITION), own(POSITION + 1), own(POSITION + 2));
         let (nx, ny, nz) = (own(NORMAL), own(NORMAL + 1), own(NORMAL + 2));
@@ -215,17 +218,20 @@ impl Near {
                 let of = |plane: usize| load(&seen.planes[plane], there);
                 let (qx, qy, qz) = (of(POSITION), of(POSITION + 1), of(POSITION + 2));
                 let (mx, my, mz) = (of(NORMAL), of(NORMAL + 1), of(NORMAL + 2));
-                let other = of(ALIKE);
                 let far = dx.abs().max(dy.abs()) as f32;
                 let mut counts = [0.0; LANES];
                 for k in 0..LANES {
                     let facing = nx[k] * mx[k] + ny[k] * my[k] + nz[k] * mz[k];
                     let off = (qx[k] - px[k]) * nx[k] + (qy[k] - py[k]) * ny[k] + (qz[k] - pz[k]) * nz[k];
-                    let same = facing > FACING && off.abs() <= slack[k] * far;
+                    let same = (facing > FACING) & (off.abs() <= slack[k] * far);
                     counts[k] = if same { 1.0 } else { 0.0 };
-                    let meet = other[k] != alike[k] || !same;
-                    let beside = far <= 1.0 && meet;
-                    self.edge[k] = if beside { 1.0 } else { self.edge[k] };
+                }
+                if edges && far <= 1.0 {
+                    let other = of(ALIKE);
+                    for k in 0..LANES {
+                        let meet = (other[k] != alike[k]) | (counts[k] == 0.0);
+                        self.edge[k] = if meet { 1.0 } else { self.edge[k] };
+                    }
                 }
                 for (channel, tint) in self.tint.iter_mut().enumerate() {
                     let reflects = of(TINT + channel);

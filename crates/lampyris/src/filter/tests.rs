@@ -1,7 +1,7 @@
 //! Planes made by hand, of which one knows what neighbours may share.
 
 use super::seen::{Glimpse, Seen};
-use super::{Kernel, Smooth};
+use super::{Kernel, Settings, Smooth};
 use crate::color::Rgb;
 use crate::eye::Rect;
 use crate::sequence::uniform;
@@ -65,9 +65,10 @@ fn assert_smooth(
     expected: impl Fn(u32, u32) -> Rgb,
     edge: impl Fn(u32, u32) -> bool,
 ) {
-    let plain = Smooth::new(Kernel::Portable, seen, 0..HEIGHT, interleave);
+    let settings = Settings { interleave, ..Settings::interactive() };
+    let plain = Smooth::new(Kernel::Portable, seen, 0..HEIGHT, &settings);
     for kernel in [Kernel::Avx2, Kernel::Avx512] {
-        let other = Smooth::new(kernel, seen, 0..HEIGHT, interleave);
+        let other = Smooth::new(kernel, seen, 0..HEIGHT, &settings);
         assert_eq!(other.values, plain.values, "{kernel:?}");
     }
     for y in 0..HEIGHT {
@@ -176,7 +177,8 @@ fn bands_leave_no_trace() {
         Some((floor(x, y) + lift, Vec3::Y, 1, tint(x, y), light(x, y)))
     };
     let whole = seen(bumpy);
-    let expected = Smooth::new(Kernel::Portable, &whole, 0..HEIGHT, [5, 7]);
+    let settings = Settings { interleave: [5, 7], ..Settings::interactive() };
+    let expected = Smooth::new(Kernel::Portable, &whole, 0..HEIGHT, &settings);
     for cuts in [vec![1, 2, 3, 4, 5, 6, 7, 20, 21], vec![10, 21], vec![3, 19, 21], vec![21]] {
         let mut parts = Seen::new((WIDTH, HEIGHT), 2);
         // A second picture follows the first in the same planes.
@@ -196,7 +198,7 @@ fn bands_leave_no_trace() {
                 add(&mut glimpse, &lit);
                 let rows = parts.append(start..*end, &[&glimpse]);
                 assert_eq!(rows.start, done);
-                let found = Smooth::new(Kernel::Portable, &parts, rows.clone(), [5, 7]);
+                let found = Smooth::new(Kernel::Portable, &parts, rows.clone(), &settings);
                 for y in
                     rows.start.saturating_sub(1)..if rows.is_empty() { 0 } else { (rows.end + 1).min(HEIGHT) }
                 {
