@@ -108,9 +108,17 @@ impl Cpu {
         if !changes.groups.is_empty() {
             job.plan = Plan::new(&job.world, &job.settings);
         }
-        changes.groups.iter().for_each(|group| job.frame.restart(*group));
+        match edit {
+            Edit::Regroup { .. } => job.frame.regroup(&changes.groups),
+            _ => changes.groups.iter().for_each(|group| job.frame.restart(*group)),
+        }
         job.frame.set_mix(&job.world.mix());
         Ok(changes)
+    }
+
+    /// From now on what is shown follows from the sums alone, see [`Frame::progress`].
+    pub fn let_go(&mut self) -> Result<()> {
+        self.job().map(|job| job.frame.let_go())
     }
 
     fn job(&mut self) -> Result<&mut Job> {

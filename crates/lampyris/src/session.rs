@@ -108,7 +108,8 @@ impl Session {
         self.cpu.add(Batch { index })
     }
 
-    /// Adds batches until all light groups have `batches` of them.
+    /// Adds batches until all light groups have `batches` of them. The picture is then that of so many batches, and nothing
+    /// stands in for any of them, whatever was done before.
     ///
     /// # Errors
     /// As [`Session::step`].
@@ -116,7 +117,7 @@ impl Session {
         while self.frame()?.batches() < batches {
             self.step()?;
         }
-        Ok(())
+        self.cpu.let_go()
     }
 
     /// Starts the picture again with other settings.
