@@ -90,6 +90,29 @@ impl Cpu {
         self.begin_world(world, eye, settings)
     }
 
+    /// Starts all sums afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with the settings in use.
+    /// What the last batches showed stays as long as [`Settings::window`] says.
+    pub fn renew(&mut self) -> Result<()> {
+        let job = self.job()?;
+        job.plan = Plan::new(&job.world, &job.settings);
+        (0..job.world.groups()).for_each(|group| job.frame.change(group));
+        job.frame.forget_first();
+        job.frame.set_mix(&job.world.mix());
+        job.statistics = Statistics::default();
+        Ok(())
+    }
+
+    /// Renders one batch and adds it to what is shown, not to the sums.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn show(&mut self, batch: Batch) -> Result<()> {
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(nothing)?;
+        pool.install(|| job.add(batch, false));
+        Ok(())
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
@@ -110,7 +133,7 @@ impl Cpu {
         }
         match edit {
             Edit::Regroup { .. } => job.frame.regroup(&changes.groups),
-            _ => changes.groups.iter().for_each(|group| job.frame.restart(*group)),
+            _ => changes.groups.iter().for_each(|group| job.frame.change(*group)),
         }
         job.frame.set_mix(&job.world.mix());
         Ok(changes)
@@ -140,7 +163,7 @@ impl Backend for Cpu {
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch));
+        pool.install(|| job.add(batch, true));
         Ok(())
     }
 

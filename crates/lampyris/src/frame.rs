@@ -6,6 +6,7 @@
 //! layers, and no ray. What tells the error, the randomisations, is kept for blocks of 8 × 8 pixels.
 
 mod held;
+mod window;
 
 use crate::color::Rgb;
 use crate::eye::Rect;
@@ -15,6 +16,7 @@ use crate::settings::Settings;
 use crate::testing::student_quantile;
 use held::Held;
 use rayon::prelude::*;
+use window::Window;
 
 /// The sums of a picture, or of a list of meters (then one row).
 #[derive(Clone, Debug, Default)]
@@ -31,6 +33,8 @@ pub struct Frame {
     /// Randomisations.
     replicates: usize,
     filtered: bool,
+    /// Batches that are shown while light changes.
+    window: u32,
     auxiliary: Option<Auxiliary>,
 }
 
@@ -45,6 +49,8 @@ struct Layer {
     replicates: Vec<Replicate>,
     /// Σ over the batches of what each shows, if filtered.
     shown: Option<Vec<Rgb>>,
+    /// How many these are, and what was shown before.
+    window: Window,
 }
 
 /// What a randomisation's spread is known by.
@@ -127,6 +133,7 @@ impl Frame {
             held: Vec::new(),
             replicates: settings.replicates as usize,
             filtered: settings.filter,
+            window: settings.window,
             auxiliary: settings.auxiliary.then(|| Auxiliary::new(pixels)),
         };
         frame.layers = vec![frame.empty(); layers];
@@ -144,6 +151,7 @@ impl Frame {
             planes: (0..self.parts.len().max(1)).map(|_| plane()).collect(),
             replicates: vec![replicate; self.replicates],
             shown: self.filtered.then(plane),
+            window: Window::default(),
         }
     }
 
@@ -362,6 +370,7 @@ impl Frame {
     /// A batch of randomisation `replicate` is complete in a layer: every pixel of it was added once.
     pub fn count(&mut self, layer: usize, replicate: u32) {
         self.layers[layer].replicates[replicate as usize].batches += 1;
+        self.count_shown(layer);
         let layers = &self.layers;
         self.held.retain(|held| held.share(layers) > 0.0);
     }
@@ -370,6 +379,12 @@ impl Frame {
     pub(crate) fn shown_mut(&mut self, layers: &[usize]) -> Vec<&mut Vec<Rgb>> {
         let asked = (0..).zip(&mut self.layers).filter(|(number, _)| layers.contains(number));
         asked.filter_map(|(_, layer)| layer.shown.as_mut()).collect()
+    }
+
+    /// What the eye met first it may meet no longer.
+    pub(crate) fn forget_first(&mut self) {
+        let pixels = self.width as usize * self.height as usize;
+        self.auxiliary = self.auxiliary.take().map(|_| Auxiliary::new(pixels));
     }
 
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
@@ -458,10 +473,12 @@ impl Layer {
         self.planes.iter().map(move |plane| (plane.as_slice(), by))
     }
 
-    /// The same where a share of it is of what its batches show.
+    /// The same where a share of it is of what its batches show, and with what is shown of those before.
     fn mix(&self, color: Rgb, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
-        let by = color * (share * self.scale());
-        self.mean(color * (1.0 - share)).chain(self.shown.iter().map(move |plane| (plane.as_slice(), by)))
+        let own = color * self.window.own();
+        let by = own * (share * self.window.scale());
+        let shown = self.shown.iter().map(move |plane| (plane.as_slice(), by));
+        self.mean(own * (1.0 - share)).chain(shown).chain(self.window.past(color))
     }
 }
 

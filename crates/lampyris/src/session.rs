@@ -20,6 +20,8 @@ pub struct Session {
     /// Width and height [pixels].
     size: [u32; 2],
     settings: Settings,
+    /// Number of the next batch that is drawn while light changes, below [`Settings::window`].
+    turn: u32,
     log: Vec<Edit>,
     /// What takes the last edits back, the latest at the end.
     undo: Vec<Edit>,
@@ -46,6 +48,7 @@ impl Session {
             cpu,
             size,
             settings: settings.clone(),
+            turn: 0,
             log: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
@@ -101,10 +104,17 @@ impl Session {
 
     /// Adds a batch to the picture: the next one of the light groups that have fewest.
     ///
+    /// With a [`Settings::window`] of N batches successive steps take the numbers 0 to N − 1 in turn while light changes, so
+    /// that the last N are of different light paths; until the turn comes to 0 they are shown and not added.
+    ///
     /// # Errors
     /// Those of the back end.
     pub fn step(&mut self) -> Result<()> {
-        let index = self.frame()?.batches();
+        let (index, turn) = (self.frame()?.batches(), self.turn);
+        self.turn = (turn + 1) % self.settings.window;
+        if index == 0 && turn > 0 {
+            return self.cpu.show(Batch { index: turn });
+        }
         self.cpu.add(Batch { index })
     }
 
@@ -115,6 +125,7 @@ impl Session {
     /// As [`Session::step`].
     pub fn settle(&mut self, batches: u32) -> Result<()> {
         while self.frame()?.batches() < batches {
+            self.turn = 0;
             self.step()?;
         }
         self.cpu.let_go()
@@ -127,6 +138,7 @@ impl Session {
     pub fn set(&mut self, settings: &Settings) -> Result<()> {
         settings.check()?;
         self.settings = settings.clone();
+        self.turn = 0;
         let eye = eye(self.scene()?.view.as_ref(), self.size)?;
         self.cpu.restart(eye, &self.settings)
     }
@@ -167,7 +179,11 @@ impl Session {
         }
         let changes = self.cpu.edit(edit)?;
         self.log.push(edit.clone());
-        if changes.restarts_all() {
+        if changes.restarts_all() && !changes.view {
+            self.cpu.renew()?;
+        } else if changes.view {
+            // Batches seen from elsewhere show nothing of use, but their light paths are the same again.
+            self.turn = 0;
             let eye = eye(self.scene()?.view.as_ref(), self.size)?;
             self.cpu.restart(eye, &self.settings)?;
         }

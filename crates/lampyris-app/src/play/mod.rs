@@ -6,9 +6,11 @@ mod reel;
 mod script;
 mod stage;
 
+pub(crate) use script::WINDOW;
 pub(crate) use stage::{lamp_names, object_names};
 
 use crate::cli::PlayArgs;
+use crate::estimate::absorption;
 use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::FrameProgress;
 use crate::{bench, interrupt, memory, say, scene_file, viewing};
@@ -166,7 +168,9 @@ impl Player {
         let chosen = cpu.install(|| viewing::choose(&args.view, &world, aspect))?;
         let settings =
             if args.wald { bench::wald(&world, bench::workload_of(file)) } else { Settings::interactive() };
-        let settings = Settings { seed: args.seed, ..settings };
+        let window = args.window.unwrap_or(script.window);
+        let settings =
+            Settings { seed: args.seed, window, absorption: absorption(&args.absorption)?, ..settings };
         let stage = Stage::new(script, &args.script, world.scene(), &chosen.camera)?;
         if let Some(frame) = (0..script.frames).find(|frame| !stage.camera(*frame).is_sound()) {
             let reason =
@@ -240,11 +244,12 @@ fn text(report: &Report) -> String {
     if let Some(f) = &report.flicker {
         for (kind, pair) in [("unfiltered", f.unfiltered), ("displayed", f.displayed)] {
             text += &format!(
-                "\nflicker {kind}: {:.3} % a frame, {:.3} % at worst, {:.3} % if every frame drew anew, {:.1} times",
+                "\nflicker {kind}: {:.3} % a frame, {:.3} % at worst, {:.3} % if every frame drew anew, {:.1} times; off by {:.3} %",
                 pair.session * 100.0,
                 pair.worst * 100.0,
                 pair.independent * 100.0,
-                pair.ratio
+                pair.ratio,
+                pair.error * 100.0
             );
         }
     }

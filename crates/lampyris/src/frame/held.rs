@@ -59,9 +59,10 @@ impl Frame {
         self.held.extend(held);
     }
 
-    /// Nothing stands in for anything from now on.
+    /// Nothing stands in for anything from now on, and nothing past is shown.
     pub(crate) fn let_go(&mut self) {
         self.held.clear();
+        self.close_window();
     }
 
     /// What some layers show, with those that are held together with one of them.
