@@ -66,6 +66,25 @@ impl Session {
         Ok(changes)
     }
 
+    /// Makes lamps of one light group a group of their own, if others share it, and returns its number: to be dimmed by
+    /// themselves ([`Edit::Mix`]). The picture stays; how far the layers solved anew are [`Frame::progress`] tells.
+    ///
+    /// # Errors
+    /// As [`Session::edit`]: where the scene has no groups, or as many as it may have; emitters that it does not have, or of
+    /// several groups.
+    pub fn split(&mut self, emitters: &[u32]) -> Result<u16> {
+        let scene = self.scene()?;
+        let (shares, next) = (&scene.reference.shares, scene.groups.len() as u16);
+        let group_of = |emitter: &u32| shares.get(*emitter as usize).map(|share| share.group);
+        let group = emitters.first().and_then(group_of);
+        let mut all = (0..).zip(shares);
+        let shared = all.any(|(number, share)| Some(share.group) == group && !emitters.contains(&number));
+        match group.filter(|own| !shared && emitters.iter().all(|e| group_of(e) == Some(*own))) {
+            Some(group) if next > 0 => Ok(group),
+            _ => self.edit(&Edit::Regroup { emitters: emitters.to_vec(), group: next }).map(|_| next),
+        }
+    }
+
     /// Takes the last edit back that has not been; `None` where there is none.
     ///
     /// # Errors

@@ -327,6 +327,31 @@ fn what_is_regrouped_is_held_until_it_has_caught_up() {
     }
 }
 
+/// To touch a lamp of a group gives it one of its own, once.
+#[test]
+fn a_lamp_is_split_off_once() {
+    let mut session = Session::open(separated(room(4), 2), SIZE, &plain(), Some(2)).expect("a view");
+    let groups = |s: &Session| {
+        let scene = s.scene().expect("open");
+        scene.reference.shares.iter().map(|share| share.group).collect::<Vec<_>>()
+    };
+    let before = groups(&session);
+    let alone = (0..4).find(|k| before.iter().filter(|g| **g == before[*k]).count() == 1).expect("a lamp");
+    let shared: Vec<u32> = (0..4).filter(|k| *k != alone as u32).collect();
+    assert_eq!(session.split(&[alone as u32]).expect("alone"), before[alone]);
+    assert_eq!(session.split(&shared).expect("all of a group"), before[shared[0] as usize]);
+    assert!(session.log().is_empty() && groups(&session) == before);
+    for _ in 0..2 {
+        assert_eq!(session.split(&shared[1..2]).expect("sound"), 2);
+    }
+    assert_eq!((session.log().len(), groups(&session)[shared[1] as usize]), (1, 2));
+    for bad in [&[][..], &[9], &[shared[0], alone as u32]] {
+        assert!(session.split(bad).is_err(), "{bad:?}");
+    }
+    let mut whole = Session::open(room(4), SIZE, &plain(), Some(2)).expect("a view");
+    assert!(whole.split(&[0]).is_err() && whole.split(&[0, 1, 2, 3]).is_err(), "no groups");
+}
+
 /// Held as long as it is true: through further splits, not when the light is another one, and not when somebody asks for
 /// the picture of so many batches.
 #[test]
