@@ -17,7 +17,8 @@ use serde::Serialize;
 pub(crate) struct Flicker {
     /// Batches of each converged frame.
     reference_batches: u32,
-    pub(crate) unfiltered: Pair,
+    /// Nothing with a window of past batches, which are filtered.
+    pub(crate) unfiltered: Option<Pair>,
     pub(crate) displayed: Pair,
 }
 
@@ -82,7 +83,8 @@ impl Meter {
             let Changes { worst, off, all, .. } = self.changes[kind];
             Pair { session, worst, independent, ratio: independent / session, error: off / all }
         };
-        Flicker { reference_batches: self.reference_batches, unfiltered: pair(0), displayed: pair(1) }
+        let unfiltered = (self.shadow.settings.window == 1).then(|| pair(0));
+        Flicker { reference_batches: self.reference_batches, unfiltered, displayed: pair(1) }
     }
 }
 
