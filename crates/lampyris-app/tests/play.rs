@@ -240,6 +240,19 @@ fn one_interrupt_keeps_the_frames_that_are_done() {
     assert_eq!(folder.bytes("walk.y4m").len(), header + frames * (6 + 3 * 24 * 18));
 }
 
+/// The walkthrough that ships: what a lamp that moves leaves of its random numbers makes frames five times as steady at least.
+#[test]
+fn a_lamp_that_moves_through_the_office_hardly_flickers() {
+    let folder = Folder::new("pendant");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/pendant.json");
+    let run = run(&folder, &format!("play {script} --wald --size 12x9 --flicker 2 --json"));
+    assert_eq!((run.code, &run.json()["frames"]), (0, &60.into()), "{}", run.err);
+    for kind in ["unfiltered", "displayed"] {
+        let ratio = run.json()["flicker"][kind]["ratio"].as_f64().unwrap();
+        assert!(ratio > 5.0, "{kind}: {}", run.json()["flicker"]);
+    }
+}
+
 /// A lamp that is dimmed changes no path, so the frames of a session change as the truth does.
 #[test]
 fn flicker_is_measured_against_frames_that_draw_anew() {
