@@ -27,7 +27,7 @@ pub(crate) struct Workload {
     file: &'static str,
     light_points: u32,
     vpls: u32,
-    /// In all; 0 where there is nothing to send them to.
+    /// In all, where there is glass.
     photons: u32,
     longest: Option<u32>,
     /// Eye, target and vertical field of view [m, degrees], z up; else the scene's camera or a found view.
@@ -237,7 +237,8 @@ struct PerFrame {
 /// The paper's workload: so many paths that a class has the virtual lights asked for in the mean.
 pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
     const CLASSES: u32 = 9;
-    let caustics = (workload.photons > 0).then_some("caustic");
+    let glass = world.scene().materials.iter().any(|m| m.bsdf.is_solid_interface());
+    let caustics = (glass && workload.photons > 0).then_some("caustic");
     let settings = Settings {
         parts: ["emission", "direct", "vpl"].into_iter().chain(caustics).map(String::from).collect(),
         photons: workload.photons.max(1),

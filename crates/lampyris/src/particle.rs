@@ -3,6 +3,10 @@
 //! Each light has its own sub-sequence and a fixed share of the paths; a vertex' flux is already divided by the
 //! expected number of particles of its generation. Nothing here knows of pixels.
 
+mod reflected;
+
+pub use reflected::Reflected;
+
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::light::Shine;
@@ -80,6 +84,8 @@ pub struct Walk<'w> {
     vpl_starts: Vec<usize>,
     /// Where in each class those begin that lie beyond the limit of [`Settings::longest`].
     cuts: Vec<usize>,
+    /// Of each class the images of its vertices within the limit, mirror by mirror.
+    reflected: Vec<Vec<Reflected>>,
     /// Rays that the particles took.
     pub rays: u64,
 }
@@ -192,6 +198,9 @@ impl<'w> Walk<'w> {
                 walk.rays += traced[k].rays;
             }
             walk.cuts.push(walk.vpls.len());
+            let beacons = &walk.beacons[walk.vpl_starts[walk.cuts.len() - 1]..];
+            let image = |(number, mirror)| Reflected::new(number, mirror, beacons);
+            walk.reflected.push((0..).zip(world.mirrors()).map(image).collect());
             members.iter().for_each(|k| walk.leave(&traced[*k].beyond, paths[*k].emitter));
         }
         walk.light_starts.push(walk.lights.len());
@@ -213,6 +222,11 @@ impl<'w> Walk<'w> {
     /// The vertices of a class, for light and for picking.
     pub fn vpls_of(&self, class: u32) -> (&[Vpl<'w>], &[Beacon]) {
         self.range(self.vpl_starts[class as usize]..self.cuts[class as usize])
+    }
+
+    /// Their images, an entry for each mirror.
+    pub fn reflected_of(&self, class: u32) -> &[Reflected] {
+        &self.reflected[class as usize]
     }
 
     /// Those whose light would take longer paths than [`Settings::longest`] allows, where the part *cut-off* asks for them.

@@ -122,7 +122,15 @@ impl Job {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
                 let ((vpls, beacons), beyond) = (walk.vpls_of(class), walk.beyond_of(class));
                 let (share, points) = (shares[*group], walk.lights_of(class));
-                Lights { group: *group, share, points, vpls, beacons, beyond }
+                Lights {
+                    group: *group,
+                    share,
+                    points,
+                    vpls,
+                    beacons,
+                    reflected: walk.reflected_of(class),
+                    beyond,
+                }
             };
             groups.iter().zip(walks).map(of_group).collect()
         };
@@ -160,7 +168,9 @@ impl Job {
                 .collect();
             let done: Vec<Summed> = pieces
                 .par_iter()
-                .map(|(rect, numbers)| self.render(*rect, numbers.clone(), shared, note, &layer_of))
+                .map_init(Vec::new, |tiles, (rect, numbers)| {
+                    self.render(tiles, *rect, numbers.clone(), shared, note, &layer_of)
+                })
                 .collect();
             if let (Some(seen), Some(first), Some(last)) = (&mut seen, band.first(), band.last()) {
                 let glimpses: Vec<&Glimpse> = done.iter().filter_map(|p| p.glimpse.as_ref()).collect();
@@ -215,12 +225,13 @@ impl Job {
         rects.collect()
     }
 
-    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first.
-    fn render(
-        &self,
+    /// Some eye passes of a batch in one tile; `note` asks for what the eye meets first. `tiles` is memory to use.
+    fn render<'w>(
+        &'w self,
+        tiles: &mut Vec<Tile<'w>>,
         rect: Rect,
         numbers: Range<u32>,
-        shared: &Shared<'_>,
+        shared: &Shared<'w>,
         note: bool,
         layer_of: &dyn Fn(u32) -> Option<usize>,
     ) -> Summed {
@@ -230,10 +241,10 @@ impl Job {
             self.planes.iter().map(|_| vec![vec![Rgb::BLACK; pixels]; layers]).collect();
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
-        let mut tiles = self.eye.tiles(&self.world, rect, self.settings.interleave);
+        self.eye.lay_out(&self.world, rect, self.settings.interleave, tiles);
         for number in numbers {
             let sampling = self.sampling(shared.batch, number);
-            for tile in &mut tiles {
+            for tile in tiles.iter_mut() {
                 self.eye.look(&sampling, tile);
                 rays.eye += tile.rays;
             }
@@ -251,7 +262,7 @@ impl Job {
                 })
                 .collect();
             for (integrator, plane) in self.integrators.iter().zip(&self.plane_of) {
-                for (pass, tile) in passes.iter().zip(&tiles) {
+                for (pass, tile) in passes.iter().zip(tiles.iter()) {
                     integrator.add(pass, tile, &mut planes[*plane], &mut rays);
                 }
             }
@@ -269,7 +280,7 @@ impl Job {
                 non_finite += 1;
             }
         }
-        let glimpse = self.settings.filter.then(|| self.glimpse(rect, &tiles, &planes, layer_of));
+        let glimpse = self.settings.filter.then(|| self.glimpse(rect, tiles, &planes, layer_of));
         let mut layers: Vec<Vec<Vec<Rgb>>> = vec![Vec::new(); layers];
         for plane in planes {
             for (layer, plane) in layers.iter_mut().zip(plane) {

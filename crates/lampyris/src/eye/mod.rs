@@ -131,29 +131,40 @@ impl Eye {
         Numbers { index: sampling.index, seed: sequence::hash(sampling.seed, pixel) }
     }
 
-    /// The packets of a rectangle of pixels, as yet without visible points: a tile for each class of the n × m pixels that
-    /// are interleaved, row by row. The rectangle begins at a multiple of n × m.
-    pub fn tiles<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2]) -> Vec<Tile<'w>> {
+    /// Lays out the packets of a rectangle of pixels, as yet without visible points: a tile for each class of the n × m
+    /// pixels that are interleaved, row by row. The rectangle begins at a multiple of n × m. What `tiles` held is
+    /// forgotten, its memory used again.
+    pub fn lay_out<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2], tiles: &mut Vec<Tile<'w>>) {
         // Meters lie in one row: there a packet is a run of sixteen.
         let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
-        let classes = (0..m).flat_map(|cy| (0..n).map(move |cx| (cx, cy)));
-        let packet = |left: u32, top: u32| {
-            let pixels = std::array::from_fn(|lane| {
-                let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
-                if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
-            });
-            Packet::new(world, rect, pixels)
-        };
         let blocks = |from: u32, to: u32, step: u32| (from..to).step_by(step as usize);
-        classes
-            .map(|(cx, cy)| {
-                let rows = blocks(cy, rect.height, bh * m);
-                let columns = blocks(cx, rect.width, bw * n);
-                let mut packets = Vec::with_capacity(rows.len() * columns.len());
-                packets.extend(rows.flat_map(|y| columns.clone().map(move |x| packet(x, y))));
-                Tile { rect, packets, rays: 0 }
-            })
-            .collect()
+        tiles.resize_with((n * m) as usize, || Tile { rect, packets: Vec::new(), rays: 0 });
+        for (tile, class) in tiles.iter_mut().zip(0..) {
+            (tile.rect, tile.rays) = (rect, 0);
+            let columns = blocks(class % n, rect.width, bw * n);
+            let corners =
+                blocks(class / n, rect.height, bh * m).flat_map(|y| columns.clone().map(move |x| (x, y)));
+            let mut count = 0;
+            for (left, top) in corners {
+                let pixels = std::array::from_fn(|lane| {
+                    let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
+                    if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
+                });
+                if count == tile.packets.len() {
+                    tile.packets.push(Packet::new(world));
+                }
+                tile.packets[count].place(rect, pixels);
+                count += 1;
+            }
+            tile.packets.truncate(count);
+        }
+    }
+
+    /// [`Eye::lay_out`] afresh.
+    pub fn tiles<'w>(&self, world: &'w World, rect: Rect, interleave: [u32; 2]) -> Vec<Tile<'w>> {
+        let mut tiles = Vec::new();
+        self.lay_out(world, rect, interleave, &mut tiles);
+        tiles
     }
 
     /// Sends the eye paths of one pass through a tile.

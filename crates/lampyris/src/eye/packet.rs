@@ -97,13 +97,12 @@ enum Ends {
 }
 
 impl<'w> Packet<'w> {
-    /// No paths as yet; `pixels` as in [`Packet::pixels`] for a tile of `rect`.
-    pub fn new(world: &'w World, rect: Rect, pixels: [u32; LANES]) -> Packet<'w> {
-        let inside = |k: usize| if pixels[k] == u32::MAX { (0, 0) } else { rect.pixel(pixels[k]) };
+    /// No paths as yet, and no pixels.
+    pub fn new(world: &'w World) -> Packet<'w> {
         Packet {
             world,
-            pixels,
-            place: [std::array::from_fn(|k| inside(k).0), std::array::from_fn(|k| inside(k).1)],
+            pixels: [u32::MAX; LANES],
+            place: [[0; LANES]; 2],
             live: 0,
             lambertian: 0,
             glossy: 0,
@@ -117,6 +116,16 @@ impl<'w> Packet<'w> {
             gleams: Vec::new(),
             numbers: [Numbers { index: 0, seed: 0 }; LANES],
             ends: Ends::Nowhere,
+        }
+    }
+
+    /// Puts it elsewhere: `pixels` as in [`Packet::pixels`] for a tile of `rect`.
+    pub fn place(&mut self, rect: Rect, pixels: [u32; LANES]) {
+        self.pixels = pixels;
+        self.live = 0;
+        for (k, pixel) in pixels.iter().enumerate() {
+            let (x, y) = if *pixel == u32::MAX { (0, 0) } else { rect.pixel(*pixel) };
+            (self.place[0][k], self.place[1][k]) = (x, y);
         }
     }
 

@@ -36,9 +36,9 @@ impl<'a> Again<'a> {
         let mut mean = Mean::none(row.len());
         let mut around = Around::none(row.len());
         let mut rays = 0;
+        let mut packet = Packet::new(filter.world);
         for chunk in looks.chunks(LANES) {
-            let column = |k: usize| chunk.get(k).map_or(u32::MAX, |look| look.0);
-            let mut packet = Packet::new(filter.world, rect, std::array::from_fn(column));
+            packet.place(rect, std::array::from_fn(|k| chunk.get(k).map_or(u32::MAX, |look| look.0)));
             let samplings = std::array::from_fn(|k| chunk.get(k).map_or(&filter.sampling, |look| look.1));
             rays += filter.eye.look_by(&samplings, &mut packet);
             for (k, (x, _)) in chunk.iter().enumerate() {

@@ -152,12 +152,10 @@ fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], ray
     if lights.is_empty() {
         return;
     }
-    let mut occluders = vec![Occluder::default(); lights.len()];
+    let mut asked: Vec<Asked<'_, '_>> = lights.iter().map(|light| Asked::new(light, 1.0)).collect();
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
-        for (light, occluder) in lights.iter().zip(&mut occluders) {
-            gathered.add(world, light, 1.0, occluder, rays);
-        }
+        gathered.add(world, &mut asked, rays);
         add(p, &gathered.take(), out);
     }
 }
@@ -179,17 +177,18 @@ pub(super) fn tile_of_vpls<'w>(
     if pass.lights.iter().all(|lights| picks(lights).is_none()) {
         return;
     }
+    let mut asked = Vec::new();
     for p in tile.packets.iter().filter(|p| p.live != 0) {
         let mut gathered = Gathered::new(p);
         let u = p.numbers[p.live.trailing_zeros() as usize].one(ledger::PICK);
         for (lights, out) in pass.zip(out) {
             let (Some(most), (vpls, beacons)) = (picks(lights), which(lights)) else { continue };
-            let mut any = false;
-            pick(kernel, p, (beacons, Open), most, lights.turned(u), |k, factor| {
-                gathered.add(world, &vpls[k], factor, &mut Occluder::default(), rays);
-                any = true;
+            asked.clear();
+            pick(kernel, p, (beacons, &Open), most, lights.turned(u), |k, factor| {
+                asked.push(Asked::new(&vpls[k], factor));
             });
-            if any {
+            if !asked.is_empty() {
+                gathered.add(world, &mut asked, rays);
                 add(p, &gathered.take(), out);
             }
         }
@@ -206,16 +205,18 @@ pub(super) fn add(p: &Packet<'_>, radiance: &[Rgb; LANES], out: &mut [Rgb]) {
 /// The vertices of a packet, each worked out when it is first asked for and once for all lights.
 pub(super) struct Points<'p, 'w> {
     packet: &'p Packet<'w>,
-    known: [Option<Visible<'w>>; LANES],
+    /// Nothing before one is asked for: mostly none is.
+    known: Vec<Option<Visible<'w>>>,
 }
 
 impl<'p, 'w> Points<'p, 'w> {
     pub(super) fn new(packet: &'p Packet<'w>) -> Points<'p, 'w> {
-        Points { packet, known: [None; LANES] }
+        Points { packet, known: Vec::new() }
     }
 
     /// The vertex of a lane.
     pub(super) fn get(&mut self, k: usize) -> Option<&Visible<'w>> {
+        self.known.resize(LANES, None);
         let known = &mut self.known[k];
         if known.is_none() {
             *known = self.packet.visible(k);
@@ -227,9 +228,28 @@ impl<'p, 'w> Points<'p, 'w> {
 /// Radiance leaving each point of a packet by a list of lights [cd/m²].
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
-    lights.iter().for_each(|light| gathered.add(world, light, 1.0, &mut Occluder::default(), rays));
+    let mut asked: Vec<Asked<'_, '_>> = lights.iter().map(|light| Asked::new(light, 1.0)).collect();
+    gathered.add(world, &mut asked, rays);
     gathered.take()
 }
+
+/// A light that packets ask for.
+struct Asked<'l, 'w> {
+    light: &'l Vpl<'w>,
+    /// How often its light counts.
+    factor: f32,
+    /// What hid it last.
+    occluder: Occluder,
+}
+
+impl<'l, 'w> Asked<'l, 'w> {
+    fn new(light: &'l Vpl<'w>, factor: f32) -> Asked<'l, 'w> {
+        Asked { light, factor, occluder: Occluder::default() }
+    }
+}
+
+/// Lights whose geometry terms are worked out together.
+const RUN: usize = 16;
 
 /// What the points of a packet have received so far.
 struct Gathered<'p, 'w> {
@@ -256,16 +276,32 @@ impl<'p, 'w> Gathered<'p, 'w> {
         }
     }
 
-    /// Adds `factor` times the light of one light.
-    fn add(&mut self, world: &World, light: &Vpl<'_>, factor: f32, occluder: &mut Occluder, rays: &mut u64) {
-        let p = self.packet;
-        let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
+    /// Adds the light of some lights, each so often as it counts.
+    fn add(&mut self, world: &World, asked: &mut [Asked<'_, '_>], rays: &mut u64) {
         let kernel = world.tracer().kernel();
-        let (g, lit) = geometry_terms(kernel, light, p, together);
+        let mut terms = [[0.0; LANES]; RUN];
+        for run in asked.chunks_mut(RUN) {
+            kernel.run(Terms {
+                lights: run.iter().map(|asked| asked.light),
+                packet: self.packet,
+                terms: &mut terms,
+            });
+            for (asked, g) in run.iter_mut().zip(&terms) {
+                self.add_one(world, asked, g, rays);
+            }
+        }
+    }
+
+    /// Adds the light of one light by its geometry terms.
+    fn add_one(&mut self, world: &World, asked: &mut Asked<'_, '_>, g: &[f32; LANES], rays: &mut u64) {
+        let (p, kernel) = (self.packet, world.tracer().kernel());
+        let Asked { light, factor, occluder } = asked;
+        let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
+        let lit = positive(g) & together;
         if lit != 0 {
             *rays += u64::from(lit.count_ones());
             let seen = lit & !world.tracer().occluded16_cached(light.position, &p.position, lit, occluder);
-            let law = Law::new(light, factor);
+            let law = Law::new(light, *factor);
             let of = if law.is_some() { seen & (p.lambertian | self.gloss.of) } else { 0 };
             match &law {
                 Some(law) if law.has_lobe() || of & self.gloss.of != 0 => kernel.run(Shed {
@@ -275,23 +311,21 @@ impl<'p, 'w> Gathered<'p, 'w> {
                     points: &self.gloss,
                     light: light.position,
                     law,
-                    g: &g,
+                    g,
                     of,
                 }),
-                Some(law) => {
-                    kernel.run(Sum { into: &mut self.irradiance, intensity: law.even, g: &g, of });
-                }
+                Some(law) => kernel.run(Sum { into: &mut self.irradiance, intensity: law.even, g, of }),
                 None => {}
             }
             for k in lanes(seen & !of) {
                 if let Some(x) = self.points.get(k) {
-                    self.radiance[k] += reflected(&x.surface, light, g[k]) * factor;
+                    self.radiance[k] += reflected(&x.surface, light, g[k]) * *factor;
                 }
             }
         }
         for k in lanes(p.live & !together) {
             if let Some(x) = self.points.get(k) {
-                self.radiance[k] += from_light(world, &x.surface, light, rays) * factor;
+                self.radiance[k] += from_light(world, &x.surface, light, rays) * *factor;
             }
         }
     }
@@ -346,60 +380,71 @@ pub(super) fn geometry_terms(
     if of == 0 {
         return ([0.0; LANES], 0);
     }
-    let g = kernel.run(Terms { light, packet });
+    let mut g = [[0.0; LANES]];
+    kernel.run(Terms { lights: std::iter::once(light), packet, terms: &mut g });
+    let [g] = g;
     let lit = positive(&g) & of;
     (g, lit)
 }
 
-struct Terms<'a, 'l, 'w> {
-    light: &'a Vpl<'l>,
+/// The geometry terms of some lights at sixteen points that reflect on the side of the eye; none of distant lights.
+struct Terms<'a, 'w, L> {
+    lights: L,
     packet: &'a Packet<'w>,
+    terms: &'a mut [[f32; LANES]],
 }
 
-impl Wide for Terms<'_, '_, '_> {
-    type Out = [f32; LANES];
+impl<'l, 'v: 'l, L: Iterator<Item = &'l Vpl<'v>>> Wide for Terms<'_, '_, L> {
+    type Out = ();
 
     #[inline(always)]
-    fn run(self) -> [f32; LANES] {
-        let Terms { light, packet: p } = self;
-        let mut g = [0.0; LANES];
-        let y = light.position;
-        let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let mut cos_y = [1.0; LANES];
-        let n = match light.shine {
-            Shine::Lambert(n) => n,
-            Shine::Beam(axis, _) => axis,
-            _ => Vec3::ZERO,
-        };
-        for k in 0..LANES {
-            let (dx, dy, dz) = (y.x - p.position[0][k], y.y - p.position[1][k], y.z - p.position[2][k]);
-            d2[k] = dx * dx + dy * dy + dz * dz;
-            cos_x[k] = dx * p.shading[0][k] + dy * p.shading[1][k] + dz * p.shading[2][k];
-            front[k] = dx * p.geometric[0][k] + dy * p.geometric[1][k] + dz * p.geometric[2][k];
-            cos_y[k] = -(dx * n.x + dy * n.y + dz * n.z);
+    fn run(self) {
+        for (light, g) in self.lights.zip(self.terms) {
+            *g = terms(light, self.packet);
         }
-        match light.shine {
-            Shine::Lambert(_) => {
-                for k in 0..LANES {
-                    g[k] = (cos_x[k].max(0.0) * cos_y[k].max(0.0) / (d2[k] * d2[k])).min(light.bound);
-                }
-            }
-            Shine::Isotropic => {
-                for k in 0..LANES {
-                    g[k] = cos_x[k].max(0.0) / (d2[k] * d2[k].sqrt());
-                }
-            }
-            Shine::Beam(_, beam) => {
-                for k in 0..LANES {
-                    let d = d2[k].sqrt();
-                    g[k] = cos_x[k].max(0.0) / (d2[k] * d) * beam.profile(cos_y[k] / d);
-                }
-            }
-            Shine::Distant => {}
-        }
-        for k in 0..LANES {
-            g[k] = if (g[k] > 0.0) & (front[k] > 0.0) { g[k] } else { 0.0 };
-        }
-        g
     }
+}
+
+/// The geometry terms of one light.
+#[inline(always)]
+fn terms(light: &Vpl<'_>, p: &Packet<'_>) -> [f32; LANES] {
+    let mut g = [0.0; LANES];
+    let y = light.position;
+    let (mut cos_x, mut front, mut d2) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    let mut cos_y = [1.0; LANES];
+    let n = match light.shine {
+        Shine::Lambert(n) => n,
+        Shine::Beam(axis, _) => axis,
+        _ => Vec3::ZERO,
+    };
+    for k in 0..LANES {
+        let (dx, dy, dz) = (y.x - p.position[0][k], y.y - p.position[1][k], y.z - p.position[2][k]);
+        d2[k] = dx * dx + dy * dy + dz * dz;
+        cos_x[k] = dx * p.shading[0][k] + dy * p.shading[1][k] + dz * p.shading[2][k];
+        front[k] = dx * p.geometric[0][k] + dy * p.geometric[1][k] + dz * p.geometric[2][k];
+        cos_y[k] = -(dx * n.x + dy * n.y + dz * n.z);
+    }
+    match light.shine {
+        Shine::Lambert(_) => {
+            for k in 0..LANES {
+                g[k] = (cos_x[k].max(0.0) * cos_y[k].max(0.0) / (d2[k] * d2[k])).min(light.bound);
+            }
+        }
+        Shine::Isotropic => {
+            for k in 0..LANES {
+                g[k] = cos_x[k].max(0.0) / (d2[k] * d2[k].sqrt());
+            }
+        }
+        Shine::Beam(_, beam) => {
+            for k in 0..LANES {
+                let d = d2[k].sqrt();
+                g[k] = cos_x[k].max(0.0) / (d2[k] * d) * beam.profile(cos_y[k] / d);
+            }
+        }
+        Shine::Distant => {}
+    }
+    for k in 0..LANES {
+        g[k] = if (g[k] > 0.0) & (front[k] > 0.0) { g[k] } else { 0.0 };
+    }
+    g
 }

@@ -4,6 +4,7 @@
 //! So also the light of points and spots is found, which no path from the eye can aim at. Curved mirrors, glass, polish
 //! and more than one mirror in a row make no images; such paths are *caustic*'s.
 
+use super::pane::Pane;
 use super::pick::pick;
 use super::short::Way;
 use super::{Costly, Integrator, Lights, Pass, compensation, direct, gather};
@@ -12,7 +13,7 @@ use crate::eye::{LANES, Numbers, Packet, Tile};
 use crate::geometry::{Ray, lane, lanes};
 use crate::light::Shine;
 use crate::material::Class;
-use crate::particle::{Beacon, Vpl};
+use crate::particle::Vpl;
 use crate::sequence::{self, ledger::eye as ledger};
 use crate::settings::Rays;
 use crate::world::{Mirror as Plane, Surface, World};
@@ -64,13 +65,9 @@ impl Integrator for Mirror {
 
 /// Adds what every point of a tile receives of the light of one group over mirrors, up to the clamp.
 fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut u64) {
-    let world = pass.world;
+    let (world, kernel) = (pass.world, pass.world.tracer().kernel());
     // Many virtual lights are picked among packet by packet.
     let picks = lights.picks(pass.settings, lights.vpls);
-    let many: Vec<(u8, Vec<Beacon>)> = match picks {
-        Some(_) => (0..).zip(world.mirrors()).map(|(k, plane)| (k, images(plane, lights.beacons))).collect(),
-        None => Vec::new(),
-    };
     let sources = lights.points.iter().chain(if picks.is_none() { lights.vpls } else { &[] });
     let seed = sequence::hash(pass.sampling.seed, b'm'.into());
     let images: Vec<Image<'w>> = sources
@@ -79,8 +76,10 @@ fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [R
         .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
         .collect();
     for p in tile.packets.iter().filter(|p| p.live != 0) {
-        let picked = picks.map_or(Vec::new(), |most| picked(world, lights, p, &many, most));
-        gather::add(p, &packet(world, p, images.iter().chain(&picked), rays), out);
+        let panes: Vec<Pane<'_>> = world.mirrors().iter().map(|plane| Pane::new(kernel, plane, p)).collect();
+        let picked = picks.map_or(Vec::new(), |most| picked(world, lights, p, &panes, most));
+        let shown = images.iter().filter(|image| image.may_be_shown_by(&panes[image.number as usize]));
+        gather::add(p, &packet(world, p, shown.chain(&picked), rays), out);
     }
 }
 
@@ -106,33 +105,27 @@ pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [
     direct::near_light(pass, x, Way::Folded, numbers, out, rays);
 }
 
-/// What picking asks of the images of virtual lights in a mirror; those that shine away from it give nothing.
-fn images(plane: &Plane, beacons: &[Beacon]) -> Vec<Beacon> {
-    let image = |b: &Beacon| Beacon {
-        position: plane.image(b.position),
-        normal: plane.turned(b.normal),
-        weight: if plane.may_be_before(b.position, b.normal) { b.weight * plane.strength() } else { 0.0 },
-        bound: b.bound,
-    };
-    beacons.iter().map(image).collect()
-}
-
 /// The images of virtual lights that a packet traces: the stronger a mirror the more.
 fn picked<'w>(
     world: &'w World,
     lights: &Lights<'w>,
     p: &Packet<'_>,
-    many: &[(u8, Vec<Beacon>)],
+    panes: &[Pane<'_>],
     most: f32,
 ) -> Vec<Image<'w>> {
+    let kernel = world.tracer().kernel();
     let first = p.numbers[p.live.trailing_zeros() as usize].branch(b'm'.into());
     let mut images = Vec::new();
-    for (number, beacons) in many {
-        let plane = &world.mirrors()[*number as usize];
+    for ((reflected, plane), pane) in lights.reflected.iter().zip(world.mirrors()).zip(panes) {
+        let (beacons, of) = reflected.seen_from(kernel, plane, pane.bounds());
+        if beacons.is_empty() {
+            continue;
+        }
+        let number = reflected.mirror;
         let share = MIRRORED * most * plane.strength();
-        let u = lights.turned(first.branch(u32::from(*number)).one(ledger::PICK));
-        pick(world.tracer().kernel(), p, (beacons, plane), share, u, |k, factor| {
-            let image = Image::new(plane, *number, &lights.vpls[k]);
+        let u = lights.turned(first.branch(u32::from(number)).one(ledger::PICK));
+        pick(kernel, p, (&beacons, pane), share, u, |k, factor| {
+            let image = Image::new(plane, number, &lights.vpls[of[k] as usize]);
             images.extend(image.map(|image| Image { weight: factor, ..image }));
         });
     }
@@ -184,6 +177,11 @@ impl<'w> Image<'w> {
     fn drawn(self, u: f32) -> Option<Image<'w>> {
         let probability = (self.plane.strength() / SURE).min(1.0);
         (u < probability).then(|| Image { weight: 1.0 / probability, ..self })
+    }
+
+    /// False only if none of the points that look through the pane sees the image.
+    fn may_be_shown_by(&self, pane: &Pane<'_>) -> bool {
+        matches!(self.image.shine, Shine::Distant) || pane.may_show_any(self.image.position)
     }
 
     /// False only if the pyramid of the image through the mirror does not hold `x`.

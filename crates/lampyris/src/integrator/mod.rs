@@ -13,6 +13,7 @@ mod emission;
 pub mod gather;
 mod gloss;
 mod mirror;
+mod pane;
 mod path;
 mod pick;
 mod short;
@@ -21,7 +22,7 @@ mod vpl;
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Numbers, Packet, Sampling, Tile};
-use crate::particle::{Beacon, Plan, Vpl};
+use crate::particle::{Beacon, Plan, Reflected, Vpl};
 use crate::photon::Photons;
 use crate::settings::{Rays, Settings};
 use crate::world::{Surface, World};
@@ -58,6 +59,8 @@ pub struct Lights<'w> {
     pub vpls: &'w [Vpl<'w>],
     /// The same for picking among them.
     pub beacons: &'w [Beacon],
+    /// Images of the virtual lights, an entry for each mirror.
+    pub reflected: &'w [Reflected],
     /// Virtual lights of longer paths than allowed, where they are asked for.
     pub beyond: (&'w [Vpl<'w>], &'w [Beacon]),
 }

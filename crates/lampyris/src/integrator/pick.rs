@@ -6,66 +6,34 @@
 //! variance where what is given is in proportion to it.
 
 use crate::eye::{LANES, Packet};
-use crate::geometry::{Kernel, Wide, lane, sum_of_lanes};
+use crate::geometry::{Kernel, Wide, sum_of_lanes};
 use crate::particle::Beacon;
-use crate::world::Mirror;
 use glam::Vec3;
 
 /// Lights that one comb goes over. A longer list is cut, and the teeth are shared out.
 const RUN: usize = 512;
 
 /// What a light shines through on its way to a point.
-pub(super) trait Window: Copy {
-    /// The points of a packet, in coordinates of the window's own.
-    type Places;
+pub(super) trait Window {
+    /// Where a light is, in coordinates of the window's own.
+    fn place(&self, light: Vec3) -> Vec3;
 
-    /// Where the points of a packet are.
-    fn places(self, packet: &Packet<'_>) -> Self::Places;
-
-    /// Where a light is, in the same coordinates.
-    fn place(self, light: Vec3) -> Vec3;
-
-    /// Whether point `k` may see a light.
-    fn may_show(self, points: &Self::Places, k: usize, light: Vec3) -> bool;
+    /// Whether point `k` of a packet may see a light at that place.
+    fn may_show(&self, k: usize, light: Vec3) -> bool;
 }
 
 /// Nothing: all of it can be seen.
-#[derive(Clone, Copy)]
 pub(super) struct Open;
 
 impl Window for Open {
-    type Places = ();
-
-    fn places(self, _: &Packet<'_>) {}
-
     #[inline(always)]
-    fn place(self, light: Vec3) -> Vec3 {
+    fn place(&self, light: Vec3) -> Vec3 {
         light
     }
 
     #[inline(always)]
-    fn may_show(self, (): &(), _: usize, _: Vec3) -> bool {
+    fn may_show(&self, _: usize, _: Vec3) -> bool {
         true
-    }
-}
-
-/// A planar mirror, for images behind it.
-impl Window for &Mirror {
-    type Places = [[f32; LANES]; 3];
-
-    fn places(self, packet: &Packet<'_>) -> [[f32; LANES]; 3] {
-        let local: [Vec3; LANES] = std::array::from_fn(|k| self.local(lane(&packet.position, k)));
-        [0, 1, 2].map(|axis| local.map(|place| place[axis]))
-    }
-
-    #[inline(always)]
-    fn place(self, light: Vec3) -> Vec3 {
-        self.local(light)
-    }
-
-    #[inline(always)]
-    fn may_show(self, [x, y, z]: &[[f32; LANES]; 3], k: usize, light: Vec3) -> bool {
-        self.may_be_crossed_between(Vec3::new(x[k], y[k], z[k]), light)
     }
 }
 
@@ -74,7 +42,7 @@ impl Window for &Mirror {
 pub(super) fn pick(
     kernel: Kernel,
     p: &Packet<'_>,
-    (beacons, window): (&[Beacon], impl Window),
+    (beacons, window): (&[Beacon], &impl Window),
     most: f32,
     u: f32,
     mut each: impl FnMut(usize, f32),
@@ -83,11 +51,10 @@ pub(super) fn pick(
     let length = beacons.len().div_ceil(runs).max(1);
     let teeth = most / runs as f32;
     let points = Points::new(p);
-    let places = window.places(p);
     let mut weights = [0.0; RUN];
     for (number, run) in beacons.chunks(length).enumerate() {
         let weights = &mut weights[..run.len()];
-        let total = kernel.run(Weigh { points: &points, run, window, places: &places, weights });
+        let total = kernel.run(Weigh { points: &points, run, window, weights });
         comb(weights, total, teeth, u, |k, factor| each(number * length + k, factor));
     }
 }
@@ -167,8 +134,7 @@ fn bounded_term(beacon: &Beacon, x: Vec3, normal: Vec3, behind: f32) -> f32 {
 struct Weigh<'a, 'p, 'w, W: Window> {
     points: &'a Points<'p, 'w>,
     run: &'a [Beacon],
-    window: W,
-    places: &'a W::Places,
+    window: &'a W,
     weights: &'a mut [f32],
 }
 
@@ -190,7 +156,7 @@ impl<W: Window> Wide for Weigh<'_, '_, '_, W> {
             for k in 0..LANES {
                 let at = Vec3::new(x[k], y[k], z[k]);
                 let term = bounded_term(beacon, at, Vec3::new(nx[k], ny[k], nz[k]), behind[k]);
-                let may_show = self.window.may_show(self.places, k, place);
+                let may_show = self.window.may_show(k, place);
                 terms[k] = if may_show { term * live[k] } else { 0.0 };
             }
             *weight = sum_of_lanes(&terms) * beacon.weight;

@@ -145,6 +145,27 @@ impl Mirror {
             & (y <= high.y * sum)
     }
 
+    /// [`Mirror::may_be_crossed_between`] for the segments from all points of a box to one point: false only if they all miss.
+    #[inline(always)]
+    pub fn may_be_crossed_from(&self, [low, high]: [Vec3; 2], b: Vec3) -> bool {
+        let [left, right] = self.rectangle;
+        let (above, below) = (low.z > 0.0, high.z < 0.0);
+        let opposite = if above { b.z < 0.0 } else { (b.z > 0.0) | (!below & (b.z < 0.0)) };
+        // The heights of the points over the plane.
+        let most = if -low.z > high.z { -low.z } else { high.z };
+        let least = if above { low.z } else { -high.z };
+        let least = if above | below { least } else { 0.0 };
+        // (a − edge) |b.z| + (b − edge) |a.z| at its largest, as the sign of the crossing's distance from an edge.
+        let q = b.z.abs();
+        let inside =
+            |a: f32, slope: f32| a * q + if slope > 0.0 { slope * most } else { slope * least } >= 0.0;
+        opposite
+            & inside(high.x - left.x, b.x - left.x)
+            & inside(right.x - low.x, right.x - b.x)
+            & inside(high.y - left.y, b.y - left.y)
+            & inside(right.y - low.y, right.y - b.y)
+    }
+
     /// Whether anything of the rectangle around the mirror lies before a plane through `p` of normal `n`.
     pub fn may_be_before(&self, p: Vec3, n: Vec3) -> bool {
         let [low, high] = self.rectangle;
@@ -241,5 +262,40 @@ impl Surface<'_> {
     pub fn mirrored(&self) -> (Vec3, Rgb) {
         let cosine = self.normal.dot(self.wo);
         (self.normal * (2.0 * cosine) - self.wo, self.finish.bsdf.mirror_reflectance(cosine.abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform_sphere;
+    use crate::sequence::uniform;
+
+    /// What a box says of all its points is never less than what one of them says; and it says no to most.
+    #[test]
+    fn a_box_sees_through_a_mirror_what_its_points_see() {
+        let (mut seen, mut may) = (0, 0);
+        for i in 0..4000 {
+            let number = |k: u32| 4.0 * uniform(5, i, k) - 2.0;
+            let vector = |k: u32| Vec3::new(number(k), number(k + 1), number(k + 2));
+            let normal = uniform_sphere([uniform(6, i, 0), uniform(6, i, 1)]);
+            let Frame { s, t, .. } = Frame::new(normal);
+            let at = vector(0);
+            let mirror = Mirror::new(&[at, at + s * 1.6, at + t * 1.3], normal);
+            let size = Vec3::splat(0.5 * uniform(7, i, 0));
+            let (corner, b) = (vector(3), mirror.local(vector(6)));
+            let points = (0..64).map(|k| {
+                let inside = [0, 1, 2].map(|axis| uniform(8 + i, k, axis));
+                mirror.local(corner + size * Vec3::from(inside))
+            });
+            let points: Vec<Vec3> = points.collect();
+            let low = points.iter().fold(Vec3::INFINITY, |low, p| low.min(*p));
+            let high = points.iter().fold(Vec3::NEG_INFINITY, |high, p| high.max(*p));
+            let whole = mirror.may_be_crossed_from([low, high], b);
+            let some = points.iter().any(|a| mirror.may_be_crossed_between(*a, b));
+            assert!(whole || !some, "case {i}");
+            (seen, may) = (seen + u32::from(some), may + u32::from(whole));
+        }
+        assert!(seen > 100 && may < 2 * seen, "{seen} boxes see something, {may} may");
     }
 }

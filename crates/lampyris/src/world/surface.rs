@@ -11,7 +11,9 @@ use super::finish::{Coat, WHITE};
 use crate::color::Rgb;
 use crate::geometry::{Frame, SurfacePoint};
 use crate::material::{Bsdf, Class, Scatter, Transport};
+use crate::sampling::cosine_hemisphere;
 use glam::Vec3;
+use std::f32::consts::FRAC_1_PI;
 
 /// A surface point seen from `wo`.
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +98,10 @@ impl<'w> Surface<'w> {
 
     /// f_r of the lobes of `class` for light arriving from `wi` and leaving toward `wo` [sr⁻¹].
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
+        if let Some(rho) = self.lambertian(class) {
+            let same = self.arrives_above(wi) == Some(self.leaves_above(wo));
+            return if same { rho * FRAC_1_PI } else { Rgb::BLACK };
+        }
         match self.local_incident(wi) {
             Some(l) => self.finish.bsdf.eval(class, self.local_outgoing(wo), l),
             None => Rgb::BLACK,
@@ -109,6 +115,13 @@ impl<'w> Surface<'w> {
 
     /// Draws where the light that leaves toward `wo` came from; world direction, weight f_r·cos/pdf.
     pub fn sample(&self, class: Class, u: [f32; 2], choice: f32) -> Option<Scatter> {
+        if let Some(rho) = self.lambertian(class).filter(|rho| !rho.is_black()) {
+            let up = cosine_hemisphere(u);
+            let side = if self.leaves_above(self.wo) { 1.0 } else { -1.0 };
+            let wi = Frame::new(self.shading).to_world(Vec3::new(up.x, up.y, up.z * side));
+            let scatter = Scatter { wi, weight: rho, pdf: up.z * FRAC_1_PI };
+            return self.arrives_above(wi).map(|_| scatter);
+        }
         let s =
             self.finish.bsdf.sample(class, self.local_outgoing(self.wo), u, choice, Transport::Radiance)?;
         let wi = Frame::new(self.shading).to_world(s.wi);
@@ -123,11 +136,11 @@ impl<'w> Surface<'w> {
         let arrived = self.flux_density()?;
         if let (Class::Dull, Some(rho)) = (class, self.finish.lambertian) {
             // Exact for Lambert: the leaving cosine is the geometric one.
-            let wi = Frame::new(self.normal).to_world(crate::sampling::cosine_hemisphere(u));
+            let wi = Frame::new(self.normal).to_world(cosine_hemisphere(u));
             return Some(Scatter {
                 wi,
                 weight: rho * arrived,
-                pdf: self.normal.dot(wi) * std::f32::consts::FRAC_1_PI,
+                pdf: self.normal.dot(wi) * FRAC_1_PI,
             });
         }
         let s = self.finish.bsdf.sample(
@@ -154,19 +167,35 @@ impl<'w> Surface<'w> {
         Some(self.cosine(self.wo) / self.normal.dot(self.wo).abs().max(f32::MIN_POSITIVE))
     }
 
+    /// ρ_d of the lobes of `class` if they are a Lambertian reflector's: most surfaces, which need no frame.
+    #[inline]
+    fn lambertian(&self, class: Class) -> Option<Rgb> {
+        self.finish.lambertian.filter(|_| class == Class::Dull)
+    }
+
+    /// Whether light arrives on the side of the shading normal, if both normals agree about that.
+    #[inline]
+    fn arrives_above(&self, wi: Vec3) -> Option<bool> {
+        let cosine = self.shading.dot(wi);
+        let outward = self.shading.dot(self.normal) >= 0.0;
+        ((cosine > 0.0) == ((self.normal.dot(wi) > 0.0) == outward) && cosine != 0.0).then_some(cosine > 0.0)
+    }
+
+    /// Whether light leaves on the side of the shading normal, as the geometric normal has it.
+    #[inline]
+    fn leaves_above(&self, wo: Vec3) -> bool {
+        (self.normal.dot(wo) >= 0.0) == (self.shading.dot(self.normal) >= 0.0)
+    }
+
     /// A direction of arriving light in the shading frame, if both normals agree about its side.
     fn local_incident(&self, wi: Vec3) -> Option<Vec3> {
-        let l = Frame::new(self.shading).to_local(wi);
-        let outward = self.shading.dot(self.normal) >= 0.0;
-        ((l.z > 0.0) == ((self.normal.dot(wi) > 0.0) == outward) && l.z != 0.0).then_some(l)
+        self.arrives_above(wi).map(|_| Frame::new(self.shading).to_local(wi))
     }
 
     /// A direction of leaving light in the shading frame, on the side that the geometric normal says.
     fn local_outgoing(&self, wo: Vec3) -> Vec3 {
         let l = Frame::new(self.shading).to_local(wo);
-        let outward = self.shading.dot(self.normal) >= 0.0;
-        let up = (self.normal.dot(wo) >= 0.0) == outward;
-        Vec3::new(l.x, l.y, l.z.abs().max(1e-4) * if up { 1.0 } else { -1.0 })
+        Vec3::new(l.x, l.y, l.z.abs().max(1e-4) * if self.leaves_above(wo) { 1.0 } else { -1.0 })
     }
 }
 
