@@ -92,6 +92,9 @@ impl Cpu {
 
     /// Starts all sums afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with the settings in use.
     /// What the last batches showed stays as long as [`Settings::window`] says.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
     pub fn renew(&mut self) -> Result<()> {
         let job = self.job()?;
         job.plan = Plan::new(&job.world, &job.settings);
@@ -120,7 +123,7 @@ impl Cpu {
 
     /// Changes the world in use, on the threads of this back end. Sums of light groups whose light is another one now begin
     /// anew; where [`Changes::restarts_all`], what has been summed is of the world before, and it is the caller's to
-    /// [`Cpu::restart`].
+    /// [`Cpu::renew`], or to [`Cpu::restart`] if the view is another one.
     ///
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
@@ -139,7 +142,11 @@ impl Cpu {
         Ok(changes)
     }
 
-    /// From now on what is shown follows from the sums alone, see [`Frame::progress`].
+    /// From now on what is shown follows from the batches of the sums alone: nothing of what was before an edit stands in
+    /// for any ([`Frame::progress`], [`Settings::window`]).
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
     pub fn let_go(&mut self) -> Result<()> {
         self.job().map(|job| job.frame.let_go())
     }

@@ -150,6 +150,32 @@ fn images_are_kept_as_long_as_they_are_of_use() {
     assert!(before[1] == after[1] && before[0] != after[0]);
 }
 
+/// Threads are none of its business: the same steps and edits show the same bits.
+#[test]
+fn a_film_does_not_depend_on_threads() {
+    let film = |threads: usize| -> Vec<u32> {
+        let mut session = Session::open(room(), SIZE, &shown(3), Some(threads)).expect("a view");
+        let mut bits = Vec::new();
+        for t in 0..8 {
+            let edit = match t % 3 {
+                0 => lit(1.0 + t as f32)[1].clone(),
+                1 => Edit::Move {
+                    instance: 1,
+                    transform: Affine3A::from_translation(Vec3::X * 0.1 * t as f32),
+                },
+                _ => lit(0.5 * t as f32)[0].clone(),
+            };
+            session.edit(&edit).expect("sound");
+            session.step().expect("a batch");
+            let picture = session.frame().expect("open").shown();
+            bits.extend(picture.into_iter().flat_map(|v| v.to_array().map(f32::to_bits)));
+        }
+        bits
+    };
+    let one = film(1);
+    assert!([2, 3, 7].into_iter().all(|threads| film(threads) == one));
+}
+
 /// Asked for so many batches, a session has the bits of one opened afresh, with or without a window.
 #[test]
 fn a_window_is_for_what_is_shown_alone() {

@@ -137,11 +137,7 @@ impl<'w> Surface<'w> {
         if let (Class::Dull, Some(rho)) = (class, self.finish.lambertian) {
             // Exact for Lambert: the leaving cosine is the geometric one.
             let wi = Frame::new(self.normal).to_world(cosine_hemisphere(u));
-            return Some(Scatter {
-                wi,
-                weight: rho * arrived,
-                pdf: self.normal.dot(wi) * FRAC_1_PI,
-            });
+            return Some(Scatter { wi, weight: rho * arrived, pdf: self.normal.dot(wi) * FRAC_1_PI });
         }
         let s = self.finish.bsdf.sample(
             class,
