@@ -165,6 +165,7 @@ fn edited_is_fresh_layer_by_layer() {
         picks: Some(4),
         light_points: Some(8),
         filter: true,
+        window: 2,
         ..settings(FAST, 24, 1, 1)
     };
     let fast = Settings { photons: 200, ..settings(FAST, 12, 4, 1) };
@@ -352,7 +353,7 @@ fn a_lamp_is_split_off_once() {
     assert!(whole.split(&[0]).is_err() && whole.split(&[0, 1, 2, 3]).is_err(), "no groups");
 }
 
-/// Held as long as it is true: through further splits, not when the light is another one, and not when somebody asks for
+/// Held as long as it is true: through further splits, without what is another light, and not when somebody asks for
 /// the picture of so many batches.
 #[test]
 fn what_is_no_longer_true_is_not_held() {
@@ -377,14 +378,22 @@ fn what_is_no_longer_true_is_not_held() {
     assert_alike(&shown(&mut split), &before);
     assert_eq!(held(&mut split), [true, true, true]);
 
+    // The lamp that was split off moves: the others are held without it, if a batch tells what it gave.
     let mut moved = open();
     let LightKind::Point { position, intensity } = moved.scene().expect("open").lights[0].kind else {
         panic!("a point")
     };
     let kind = LightKind::Point { position: position + Vec3::X * 0.1, intensity };
-    moved.edit(&Edit::Light { light: 0, kind }).expect("sound");
-    assert_eq!(held(&mut moved), [false, false]);
-    let frame = moved.frame().expect("open").clone();
+    let (before, lamp) = (shown(&mut moved), moved.frame().expect("open").shown_layer(1).expect("a layer"));
+    moved.edit(&Edit::Light { light: 0, kind: kind.clone() }).expect("sound");
+    assert_eq!(held(&mut moved), [true, false]);
+    assert_alike(&shown(&mut moved), &total(&[(1.0, before), (-1.0, lamp)]));
+
+    let mut at_once = open();
+    at_once.edit(&Edit::Regroup { emitters: vec![1], group: 2 }).expect("sound");
+    at_once.edit(&Edit::Light { light: 1, kind }).expect("sound");
+    assert_eq!(held(&mut at_once), [false, false, false]);
+    let frame = at_once.frame().expect("open").clone();
     assert!(frame.shown() == frame.mean());
 
     // Into a group of another colour: the picture is another one.

@@ -59,6 +59,23 @@ impl Frame {
         self.held.extend(held);
     }
 
+    /// The light of a layer is about to be another one. What is held for others with it goes on without it, as long as a
+    /// batch tells what it was.
+    pub(super) fn release(&mut self, layer: usize) {
+        let Some(at) = self.held.iter().position(|held| held.is_for(layer)) else { return };
+        let own = &self.layers[layer];
+        let color = self.held[at].layers.iter().find(|(number, _)| *number == layer).map(|(_, color)| *color);
+        let Some(color) = color.filter(|_| own.batches() > 0) else {
+            self.held.remove(at);
+            return;
+        };
+        let light = self.sum(own.mix(color, self.filtered_shares()[layer]));
+        let held = &mut self.held[at];
+        held.shown.iter_mut().zip(light).for_each(|(shown, v)| *shown += -v);
+        held.layers.retain(|(number, _)| *number != layer);
+        self.held.retain(|held| !held.layers.is_empty());
+    }
+
     /// Nothing stands in for anything from now on, and nothing past is shown.
     pub(crate) fn let_go(&mut self) {
         self.held.clear();

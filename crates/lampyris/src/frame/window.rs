@@ -81,6 +81,7 @@ impl Frame {
     /// The light of a layer, or of one of the next number, is another one from now on: its sums begin anew. What its last
     /// batches showed stays within the window.
     pub(crate) fn change(&mut self, layer: usize) {
+        self.release(layer);
         let past = self.layers.get_mut(layer).map(|own| own.leave(self.window)).unwrap_or_default();
         self.restart(layer);
         self.layers[layer].window.past = past;
