@@ -87,7 +87,7 @@ fn shadows(tracer: &Tracer, shadows: &[Shadows]) -> (u64, f64) {
     let mut hits = 0;
     for s in shadows {
         let occluder = &mut occluders[s.number];
-        hits += u64::from(tracer.occluded16_cached(s.shared, &s.others, s.live, occluder).count_ones());
+        hits += u64::from(tracer.occluded_parts(s.shared, [&s.others], [s.live], occluder)[0].count_ones());
     }
     (hits, 0.0)
 }

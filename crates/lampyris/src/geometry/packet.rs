@@ -74,26 +74,30 @@ impl Tracer {
     /// [`Tracer::blocked`] for the lanes of `live`: which of the open segments from `origin` to `targets` are blocked.
     /// Fast if the targets are near each other; for shadows that makes the light the origin.
     pub fn occluded16(&self, origin: Vec3, targets: &[[f32; LANES]; 3], live: u16) -> u16 {
-        self.occluded16_cached(origin, targets, live, &mut Occluder::default())
+        let [blocked] = self.occluded_parts(origin, [targets], [live], &mut Occluder::default());
+        blocked
     }
 
-    /// [`Tracer::occluded16`], faster where the segments resemble those that `occluder` was last given with: one light
-    /// and neighbouring points. The answer does not depend on it.
-    pub fn occluded16_cached(
+    /// [`Tracer::occluded16`] for several packets of one origin, whose targets may be near each other: those of some lanes,
+    /// part by part. Faster where the segments resemble those that `occluder` was last given with: one light and neighbouring
+    /// points. The answer does not depend on it.
+    pub fn occluded_parts<const P: usize>(
         &self,
         origin: Vec3,
-        targets: &[[f32; LANES]; 3],
-        live: u16,
+        targets: [&[[f32; LANES]; 3]; P],
+        live: [u16; P],
         occluder: &mut Occluder,
-    ) -> u16 {
-        let live = if sound_origin(origin) { live } else { 0 };
-        let mut blocked = self.flat.tree.occluded16(self.kernel, origin, targets, live, &mut occluder.0);
+    ) -> [u16; P] {
+        let live = if sound_origin(origin) { live } else { [0; P] };
+        let mut blocked = self.flat.tree.occluded_parts(self.kernel, origin, targets, live, &mut occluder.0);
         if self.has_placed() {
-            for i in lanes(live & !blocked) {
-                let ray = Ray::between(origin, lane(targets, i));
-                let stops =
-                    sound_direction(ray.direction) && self.placed_stop(&ray, End::Point(lane(targets, i)));
-                blocked |= u16::from(stops) << i;
+            for ((blocked, targets), live) in blocked.iter_mut().zip(targets).zip(live) {
+                for i in lanes(live & !*blocked) {
+                    let ray = Ray::between(origin, lane(targets, i));
+                    let stops = sound_direction(ray.direction)
+                        && self.placed_stop(&ray, End::Point(lane(targets, i)));
+                    *blocked |= u16::from(stops) << i;
+                }
             }
         }
         blocked

@@ -153,12 +153,21 @@ fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], ray
         return;
     }
     let mut asked: Vec<Asked<'_, '_>> = lights.iter().map(|light| Asked::new(light, 1.0)).collect();
-    for p in tile.packets.iter().filter(|p| p.live != 0) {
-        let mut gathered = Gathered::new(p);
-        gathered.add(world, &mut asked, rays);
-        add(p, &gathered.take(), out);
+    let live: Vec<&Packet<'_>> = tile.packets.iter().filter(|p| p.live != 0).collect();
+    for some in live.chunks(PARTS) {
+        let mut gathered: Vec<Gathered<'_, '_>> = some.iter().map(|p| Gathered::new(p)).collect();
+        match some.len() {
+            1 => gather::<1>(world, &mut gathered, &mut asked, rays),
+            _ => gather::<PARTS>(world, &mut gathered, &mut asked, rays),
+        }
+        for (p, gathered) in some.iter().zip(&mut gathered) {
+            add(p, &gathered.take(), out);
+        }
     }
 }
+
+/// Packets of neighbouring pixels whose shadow rays walk together.
+const PARTS: usize = 4;
 
 /// Adds what every point of a tile receives from those virtual lights of a pass that `which` names of each group, as many
 /// of them as settings allow.
@@ -188,7 +197,7 @@ pub(super) fn tile_of_vpls<'w>(
                 asked.push(Asked::new(&vpls[k], factor));
             });
             if !asked.is_empty() {
-                gathered.add(world, &mut asked, rays);
+                gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, rays);
                 add(p, &gathered.take(), out);
             }
         }
@@ -229,7 +238,7 @@ impl<'p, 'w> Points<'p, 'w> {
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
     let mut asked: Vec<Asked<'_, '_>> = lights.iter().map(|light| Asked::new(light, 1.0)).collect();
-    gathered.add(world, &mut asked, rays);
+    gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, rays);
     gathered.take()
 }
 
@@ -250,6 +259,38 @@ impl<'l, 'w> Asked<'l, 'w> {
 
 /// Lights whose geometry terms are worked out together.
 const RUN: usize = 16;
+
+/// Adds the light of some lights, each so often as it counts, to at most P packets.
+fn gather<const P: usize>(
+    world: &World,
+    packets: &mut [Gathered<'_, '_>],
+    asked: &mut [Asked<'_, '_>],
+    rays: &mut u64,
+) {
+    let (tracer, kernel) = (world.tracer(), world.tracer().kernel());
+    let mut terms = [[[0.0; LANES]; RUN]; P];
+    for run in asked.chunks_mut(RUN) {
+        for (gathered, terms) in packets.iter().zip(&mut terms) {
+            let lights = run.iter().map(|asked| asked.light);
+            kernel.run(Terms { lights, packet: gathered.packet, terms });
+        }
+        for (k, asked) in run.iter_mut().enumerate() {
+            let (mut targets, mut lit) = ([&packets[0].packet.position; P], [0; P]);
+            for (i, gathered) in packets.iter().enumerate() {
+                targets[i] = &gathered.packet.position;
+                lit[i] = positive(&terms[i][k]) & gathered.together(asked.light);
+                *rays += u64::from(lit[i].count_ones());
+            }
+            let blocked = match lit.iter().any(|lit| *lit != 0) {
+                true => tracer.occluded_parts(asked.light.position, targets, lit, &mut asked.occluder),
+                false => lit,
+            };
+            for (i, gathered) in packets.iter_mut().enumerate() {
+                gathered.add(world, asked, &terms[i][k], lit[i] & !blocked[i], rays);
+            }
+        }
+    }
+}
 
 /// What the points of a packet have received so far.
 struct Gathered<'p, 'w> {
@@ -276,31 +317,16 @@ impl<'p, 'w> Gathered<'p, 'w> {
         }
     }
 
-    /// Adds the light of some lights, each so often as it counts.
-    fn add(&mut self, world: &World, asked: &mut [Asked<'_, '_>], rays: &mut u64) {
-        let kernel = world.tracer().kernel();
-        let mut terms = [[0.0; LANES]; RUN];
-        for run in asked.chunks_mut(RUN) {
-            kernel.run(Terms {
-                lights: run.iter().map(|asked| asked.light),
-                packet: self.packet,
-                terms: &mut terms,
-            });
-            for (asked, g) in run.iter_mut().zip(&terms) {
-                self.add_one(world, asked, g, rays);
-            }
-        }
+    /// Lanes that [`Terms`] and packets of shadow rays are for: not those that light may reach through the surface.
+    fn together(&self, light: &Vpl<'_>) -> u16 {
+        if matches!(light.shine, Shine::Distant) { 0 } else { self.packet.opaque }
     }
 
-    /// Adds the light of one light by its geometry terms.
-    fn add_one(&mut self, world: &World, asked: &mut Asked<'_, '_>, g: &[f32; LANES], rays: &mut u64) {
+    /// Adds the light of one light: to the lanes of `seen`, by its geometry terms, and to those that are asked one by one.
+    fn add(&mut self, world: &World, asked: &Asked<'_, '_>, g: &[f32; LANES], seen: u16, rays: &mut u64) {
         let (p, kernel) = (self.packet, world.tracer().kernel());
-        let Asked { light, factor, occluder } = asked;
-        let together = if matches!(light.shine, Shine::Distant) { 0 } else { p.opaque };
-        let lit = positive(g) & together;
-        if lit != 0 {
-            *rays += u64::from(lit.count_ones());
-            let seen = lit & !world.tracer().occluded16_cached(light.position, &p.position, lit, occluder);
+        let Asked { light, factor, .. } = asked;
+        if seen != 0 {
             let law = Law::new(light, *factor);
             let of = if law.is_some() { seen & (p.lambertian | self.gloss.of) } else { 0 };
             match &law {
@@ -323,7 +349,7 @@ impl<'p, 'w> Gathered<'p, 'w> {
                 }
             }
         }
-        for k in lanes(p.live & !together) {
+        for k in lanes(p.live & !self.together(light)) {
             if let Some(x) = self.points.get(k) {
                 self.radiance[k] += from_light(world, &x.surface, light, rays) * *factor;
             }

@@ -350,16 +350,16 @@ impl Tree {
         }
     }
 
-    /// Lanes whose segments to `targets` are blocked. Kernels that walk with all lanes ask the block of number `first`
-    /// before the others, and leave there the one that blocked last.
-    pub(super) fn occluded16(
+    /// Of each part, lanes whose segments to `targets` are blocked. Kernels that walk with all lanes ask the block of number
+    /// `first` before the others, and leave there the one that blocked last.
+    pub(super) fn occluded_parts<const P: usize>(
         &self,
         kernel: Kernel,
         origin: Vec3,
-        targets: &[[f32; LANES]; 3],
-        live: u16,
+        targets: [&[[f32; LANES]; 3]; P],
+        live: [u16; P],
         first: &mut u32,
-    ) -> u16 {
+    ) -> [u16; P] {
         match kernel {
             // SAFETY: as in `closest`.
             #[cfg(target_arch = "x86_64")]
@@ -369,7 +369,7 @@ impl Tree {
             Kernel::Avx2 => unsafe { simd_packet::occluded_avx2(self, origin, targets, live, first) },
             _ => {
                 *first = NONE;
-                self.occluded_one_by_one(kernel, origin, targets, live)
+                std::array::from_fn(|p| self.occluded_one_by_one(kernel, origin, targets[p], live[p]))
             }
         }
     }

@@ -4,7 +4,7 @@
 
 use super::packet::PacketBest;
 use super::simd_lanes::{F8, Machine};
-use super::simd_packet::Packet;
+use super::simd_packet::{Packet, Part};
 use super::triangle::{Crossing, Plane, TINY};
 use super::{Block, End, WIDTH};
 use crate::geometry::packet::{LANES, lane, lanes};
@@ -26,14 +26,20 @@ type Relative = [[f32; WIDTH]; 9];
 impl Beam {
     /// Rays as far as `end` along their largest axis.
     #[inline(always)]
-    pub(super) fn new<M: Machine>(m: M, packet: &Packet<M>, end: f32) -> Beam {
+    pub(super) fn new<M: Machine, const P: usize>(m: M, packet: &Packet<M, P>, end: f32) -> Beam {
         let eight = m.eight();
+        let first = &packet.parts[0];
+        let [mut low, mut high] = [[first.sx, first.sy]; 2];
+        for part in &packet.parts[1..] {
+            low = [m.min(low[0], part.sx), m.min(low[1], part.sy)];
+            high = [m.max(high[0], part.sx), m.max(high[1], part.sy)];
+        }
         Beam {
             axes: packet.axes,
             origin: three!(k => eight.splat8(packet.origin[packet.axes[k]])),
             shears: [
-                [eight.splat8(m.least(packet.sx)), eight.splat8(m.most(packet.sx))],
-                [eight.splat8(m.least(packet.sy)), eight.splat8(m.most(packet.sy))],
+                [eight.splat8(m.least(low[0])), eight.splat8(m.most(high[0]))],
+                [eight.splat8(m.least(low[1])), eight.splat8(m.most(high[1]))],
             ],
             sign: eight.splat8(if packet.negative { -0.0 } else { 0.0 }),
             end: eight.splat8(end),
@@ -89,14 +95,15 @@ fn test<M: Machine>(
     m: M,
     relative: &Relative,
     i: usize,
-    packet: &Packet<M>,
+    part: &Part<M>,
+    negative: bool,
     mask: u16,
     screened: u8,
 ) -> Tested<M> {
     let z = three!(c => relative[3 * c + 2][i]);
     let along = three!(c => m.splat(z[c]));
-    let x = three!(c => m.sub(m.splat(relative[3 * c][i]), m.mul(packet.sx, along[c])));
-    let y = three!(c => m.sub(m.splat(relative[3 * c + 1][i]), m.mul(packet.sy, along[c])));
+    let x = three!(c => m.sub(m.splat(relative[3 * c][i]), m.mul(part.sx, along[c])));
+    let y = three!(c => m.sub(m.splat(relative[3 * c + 1][i]), m.mul(part.sy, along[c])));
     let e = [
         m.sub(m.mul(x[2], y[1]), m.mul(y[2], x[1])),
         m.sub(m.mul(x[0], y[2]), m.mul(y[0], x[2])),
@@ -107,7 +114,7 @@ fn test<M: Machine>(
     let most = m.max(m.max(e[0], e[1]), e[2]);
     let possible = mask & !(m.lt(least, zero) & m.lt(zero, most));
     let det = m.add(m.add(e[0], e[1]), e[2]);
-    let ahead = three!(c => if packet.negative { -z[c] } else { z[c] });
+    let ahead = three!(c => if negative { -z[c] } else { z[c] });
     let z_range = [ahead[0].min(ahead[1]).min(ahead[2]), ahead[0].max(ahead[1]).max(ahead[2])];
     let mut unsure = 0;
     if possible != 0 {
@@ -129,54 +136,81 @@ fn visible<M: Machine>(m: M, block: &Block, i: usize, negative: bool, det: M::F)
     if flipped { !positive } else { positive }
 }
 
-/// Where segments end.
-pub(super) struct Ends<'a, M: Machine> {
-    pub(super) targets: &'a [[f32; LANES]; 3],
+/// Where segments end, part by part.
+pub(super) struct Ends<'a, M: Machine, const P: usize> {
+    pub(super) targets: [&'a [[f32; LANES]; 3]; P],
     /// How far along kz.
-    pub(super) heights: M::F,
+    pub(super) heights: [M::F; P],
 }
 
-/// Lanes of `mask` whose segments the block interrupts.
+/// Takes the lanes of `mask` away from those alive whose segments the block interrupts; tells whether there were any.
 #[inline(always)]
-pub(super) fn blocked<M: Machine>(
+#[expect(clippy::too_many_arguments, reason = "all that the hot loop holds in registers")]
+pub(super) fn blocked<M: Machine, const P: usize>(
     m: M,
     block: &Block,
     beam: &Beam,
-    packet: &Packet<M>,
-    ends: &Ends<'_, M>,
-    mask: u16,
+    packet: &Packet<M, P>,
+    ends: &Ends<'_, M, P>,
+    mut mask: [u16; P],
+    alive: &mut [u16; P],
     screen: &Screen,
-) -> u16 {
+) -> bool {
     let mut relative = [[0.0; WIDTH]; 9];
     let survivors = beam.cull(m, block, &mut relative);
-    let mut open = mask;
+    let mut any = false;
     for i in lanes(u16::from(survivors)) {
-        let tested = test(m, &relative, i, packet, open, block.screened);
-        if tested.pierced | tested.unsure == 0 {
-            continue;
+        let mut rest = 0;
+        for p in 0..P {
+            if P > 1 && mask[p] == 0 {
+                continue;
+            }
+            let tested = test(m, &relative, i, &packet.parts[p], packet.negative, mask[p], block.screened);
+            if tested.pierced | tested.unsure != 0 {
+                let hit = interrupted(m, block, i, packet, p, ends, &tested, screen);
+                any |= hit != 0;
+                alive[p] &= !hit;
+                mask[p] &= !hit;
+            }
+            rest |= mask[p];
         }
-        let [nearest, farthest] = tested.z_range;
-        let mut hit = tested.pierced & m.lt(m.splat(nearest), ends.heights);
-        hit &= visible(m, block, i, packet.negative, tested.det);
-        let clear = if nearest > 0.0 { m.lt(m.splat(farthest), ends.heights) } else { 0 };
-        let doubtful = hit & !clear;
-        if doubtful != 0 {
-            let plane = Plane::new(&block.corners(i), packet.origin);
-            let [above, below] = m.sides(plane.normal, plane.corner, ends.targets);
-            hit &= !doubtful
-                | if plane.height > 0.0 { below } else { 0 }
-                | if plane.height < 0.0 { above } else { 0 };
-        }
-        for l in lanes(tested.unsure) {
-            let end = End::Point(lane(ends.targets, l));
-            hit |= u16::from(block.blocks(i, &packet.line(l), end, screen)) << l;
-        }
-        open &= !hit;
-        if open == 0 {
+        if rest == 0 {
             break;
         }
     }
-    mask & !open
+    any
+}
+
+/// Lanes of a part whose segments one triangle interrupts.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "all that the hot loop holds in registers")]
+fn interrupted<M: Machine, const P: usize>(
+    m: M,
+    block: &Block,
+    i: usize,
+    packet: &Packet<M, P>,
+    p: usize,
+    ends: &Ends<'_, M, P>,
+    tested: &Tested<M>,
+    screen: &Screen,
+) -> u16 {
+    let [nearest, farthest] = tested.z_range;
+    let mut hit = tested.pierced & m.lt(m.splat(nearest), ends.heights[p]);
+    hit &= visible(m, block, i, packet.negative, tested.det);
+    let clear = if nearest > 0.0 { m.lt(m.splat(farthest), ends.heights[p]) } else { 0 };
+    let doubtful = hit & !clear;
+    if doubtful != 0 {
+        let plane = Plane::new(&block.corners(i), packet.origin);
+        let [above, below] = m.sides(plane.normal, plane.corner, ends.targets[p]);
+        hit &= !doubtful
+            | if plane.height > 0.0 { below } else { 0 }
+            | if plane.height < 0.0 { above } else { 0 };
+    }
+    for l in lanes(tested.unsure) {
+        let end = End::Point(lane(ends.targets[p], l));
+        hit |= u16::from(block.blocks(i, &packet.line(p, l), end, screen)) << l;
+    }
+    hit
 }
 
 /// Offers what the lanes of `mask` meet in the block; tells whether anything was near enough.
@@ -185,7 +219,7 @@ pub(super) fn offer<M: Machine>(
     m: M,
     block: &Block,
     beam: &Beam,
-    packet: &Packet<M>,
+    packet: &Packet<M, 1>,
     mask: u16,
     screen: &Screen,
     best: &mut PacketBest,
@@ -194,7 +228,8 @@ pub(super) fn offer<M: Machine>(
     let survivors = beam.cull(m, block, &mut relative);
     let mut nearer = false;
     for i in lanes(u16::from(survivors)) {
-        let tested = test(m, &relative, i, packet, mask, block.screened);
+        let part = &packet.parts[0];
+        let tested = test(m, &relative, i, part, packet.negative, mask, block.screened);
         if tested.pierced | tested.unsure == 0 {
             continue;
         }
@@ -208,7 +243,7 @@ fn offer_one<M: Machine>(
     m: M,
     block: &Block,
     i: usize,
-    packet: &Packet<M>,
+    packet: &Packet<M, 1>,
     tested: &Tested<M>,
     screen: &Screen,
     best: &mut PacketBest,
@@ -219,12 +254,12 @@ fn offer_one<M: Machine>(
         m.add(m.mul(b[0], m.splat(tested.z[0])), m.mul(b[1], m.splat(tested.z[1]))),
         m.mul(b[2], m.splat(tested.z[2])),
     );
-    let t = m.max(m.mul(packet.sz, along), m.splat(f32::MIN_POSITIVE));
+    let t = m.max(m.mul(packet.parts[0].sz, along), m.splat(f32::MIN_POSITIVE));
     let so_far = m.load(&best.t);
     let mut near = tested.pierced & m.le(t, so_far) & visible(m, block, i, packet.negative, tested.det);
     if near != 0 && tested.z_range[0] <= 0.0 {
         let plane = Plane::new(&block.corners(i), packet.origin);
-        let [below, above] = m.sides(plane.normal, [0.0; 3], packet.directions);
+        let [below, above] = m.sides(plane.normal, [0.0; 3], packet.parts[0].directions);
         near &= if plane.height > 0.0 { above } else { 0 } | if plane.height < 0.0 { below } else { 0 };
     }
     let nearer = near & m.lt(t, so_far);
@@ -249,7 +284,7 @@ fn offer_one<M: Machine>(
         best.found |= nearer;
     }
     for l in lanes(tested.unsure) {
-        if let Some(crossing) = block.crossing(i, &packet.line(l), screen) {
+        if let Some(crossing) = block.crossing(i, &packet.line(0, l), screen) {
             best.offer(l, crossing, block.instance[i], block.triangle[i]);
         }
     }

@@ -121,6 +121,10 @@ fn walks_agree_with_brute_force() {
             }
             blocked += stopped.count_ones();
             // Blocks at random to be asked first: none, any, and numbers that there are not.
+            let reversed = targets.map(|mut axis| {
+                axis.reverse();
+                axis
+            });
             let firsts = [NONE, (random(&mut state) * tree.blocks.len() as f32) as u32, 1 << 30];
             for kernel in kernels() {
                 let mut best = PacketBest::none();
@@ -131,8 +135,14 @@ fn walks_agree_with_brute_force() {
                 for mut first in firsts {
                     // Then again with what blocked last.
                     for _ in 0..2 {
-                        let found = tree.occluded16(kernel, origin, &targets, live, &mut first);
+                        let [found] = tree.occluded_parts(kernel, origin, [&targets], [live], &mut first);
                         assert_eq!(found, stopped, "{kernel:?} {first}");
+                        // Together with the same the other way round, with none and with some of them.
+                        let parts = [&targets, &reversed, &targets, &targets];
+                        let lives = [live, live.reverse_bits(), 0, live & 0xf0];
+                        let found = tree.occluded_parts(kernel, origin, parts, lives, &mut first);
+                        let expected = [stopped, stopped.reverse_bits(), 0, stopped & 0xf0];
+                        assert_eq!(found, expected, "{kernel:?} {first}");
                     }
                 }
             }
