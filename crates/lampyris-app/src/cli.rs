@@ -1,6 +1,7 @@
 //! The arguments, as their help describes them.
 
 use crate::parse;
+use crate::play::WINDOW;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 use lampyris::output::{Display, Exposure, ToneCurve};
@@ -154,6 +155,12 @@ pub(crate) struct PlayArgs {
     /// Batches a frame
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) settle: u32,
+    /// Show the mean of the last N batches while lights and objects move [default: the script's, or 1]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(WINDOW)))]
+    pub(crate) window: Option<u32>,
+    /// How particles thin out: fractional, paper, roulette
+    #[arg(long, value_name = "NAME", default_value = "fractional")]
+    pub(crate) absorption: String,
     /// Frames of the workload of `lampyris bench` in its mode wald: every virtual light of a class traced
     #[arg(long)]
     pub(crate) wald: bool,

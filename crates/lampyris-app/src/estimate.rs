@@ -93,7 +93,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
     Ok(settings)
 }
 
-fn absorption(name: &str) -> Result<Absorption, Error> {
+pub(crate) fn absorption(name: &str) -> Result<Absorption, Error> {
     let known = Absorption::ALL.iter().map(|(n, _)| *n);
     let found = Absorption::ALL.iter().find(|(n, _)| *n == name).map(|(_, a)| *a);
     found.ok_or_else(|| unknown("absorption", name, known))

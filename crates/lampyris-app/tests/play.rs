@@ -89,6 +89,27 @@ fn a_dimmed_lamp_darkens_the_film() {
     }
 }
 
+/// The lamp goes out: half of a mean of two is what was.
+#[test]
+fn a_window_shows_what_was() {
+    let folder = Folder::new("play-window");
+    let out = |window: &str| {
+        format!(
+            r#"{{"scene": "cornell.mgf", "size": [16, 12], "frames": 3, {window} "lights": [{{"name": "luminaire",
+            "keys": [{{"frame": 0, "power": 1}}, {{"frame": 1, "power": 0}}]}}]}}"#
+        )
+    };
+    for (script, args) in [(out(""), "--window 2"), (out(r#""window": 2,"#), "")] {
+        assert_eq!(played(&folder, &script, &format!("-o %d.exr {args}")).code, 0);
+        let [first, second, third] =
+            ["0.exr", "1.exr", "2.exr"].map(|name| image_of(&folder, name).into_iter().flatten());
+        assert!(first.zip(second).all(|(was, is)| is == 0.5 * was));
+        assert!(third.into_iter().all(|v| v == 0.0), "two batches later it is dark");
+    }
+    assert_eq!(played(&folder, &out(r#""window": 2,"#), "-o %d.exr --window 1").code, 0);
+    assert!(image_of(&folder, "1.exr").iter().flatten().all(|v| *v == 0.0));
+}
+
 #[test]
 fn frames_do_not_depend_on_threads_and_the_first_is_that_of_render() {
     let folder = Folder::new("play-threads");
@@ -139,6 +160,7 @@ fn faults_of_scripts_are_named_with_place_and_mend() {
         (r#"{"frames": 2, "film": 1}"#.into(), 3, "unknown field `film`"),
         (r#"{"scene": "cornell.mgf", "frames": 0}"#.into(), 3, "walk.json:frames: need 1 to 100000"),
         (r#"{"scene": "cornell.mgf", "frames": 2000000}"#.into(), 3, "walk.json:frames: "),
+        (with(r#""window": 65"#), 3, "walk.json:window: need 1 to 64"),
         (r#"{"scene": "cornell.mgf", "frames": 1, "size": [99999, 99999]}"#.into(), 3, "walk.json:size: "),
         (r#"{"frames": 1}"#.into(), 2, "no scene"),
         (
@@ -189,6 +211,7 @@ fn faults_of_scripts_are_named_with_place_and_mend() {
         ("-o a_%d.mov", 2, "y4m"),
         ("-o nowhere/a_%d.png", 4, "there is no folder nowhere"),
         ("-o - --json", 2, "not both"),
+        ("-o a_%d.png --absorption often", 2, "no absorption is called"),
         ("", 2, "--output"),
     ] {
         let run = played(&folder, WALK, args);
@@ -215,6 +238,19 @@ fn one_interrupt_keeps_the_frames_that_are_done() {
     assert_eq!(folder.files().len(), frames + 2, "pictures, the film and the script");
     let header = b"YUV4MPEG2 W24 H18 F16:1 Ip A1:1 C444 XCOLORRANGE=LIMITED\n".len();
     assert_eq!(folder.bytes("walk.y4m").len(), header + frames * (6 + 3 * 24 * 18));
+}
+
+/// The walkthrough that ships: what a lamp that moves leaves of its random numbers makes frames five times as steady at least.
+#[test]
+fn a_lamp_that_moves_through_the_office_hardly_flickers() {
+    let folder = Folder::new("pendant");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/pendant.json");
+    let run = run(&folder, &format!("play {script} --wald --size 12x9 --flicker 2 --json"));
+    assert_eq!((run.code, &run.json()["frames"]), (0, &60.into()), "{}", run.err);
+    for kind in ["unfiltered", "displayed"] {
+        let ratio = run.json()["flicker"][kind]["ratio"].as_f64().unwrap();
+        assert!(ratio > 5.0, "{kind}: {}", run.json()["flicker"]);
+    }
 }
 
 /// A lamp that is dimmed changes no path, so the frames of a session change as the truth does.

@@ -29,6 +29,7 @@ impl Default for Settings {
             photons: 1 << 15,
             seed: 0,
             filter: false,
+            window: 1,
             edges: 4,
             auxiliary: false,
         }
@@ -66,6 +67,12 @@ impl Settings {
         }
         if self.filter && self.eye_passes() != 1 {
             return bad("to be filtered, a batch must have one eye pass");
+        }
+        if !(1..=64).contains(&self.window) {
+            return bad("the window must be 1 to 64 batches");
+        }
+        if self.window > 1 && !self.filter {
+            return bad("a window is one of what is shown: turn the filter on");
         }
         if self.edges > 64 {
             return bad("further eye rays at edges must be at most 64");

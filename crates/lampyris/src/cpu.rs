@@ -87,6 +87,32 @@ impl Cpu {
         self.begin_world(world, eye, settings)
     }
 
+    /// Starts all sums afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with the settings in use.
+    /// What the last batches showed stays as long as [`Settings::window`] says.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn renew(&mut self) -> Result<()> {
+        let job = self.job()?;
+        job.plan = Plan::new(&job.world, &job.settings);
+        (0..job.world.groups()).for_each(|group| job.frame.change(group));
+        job.frame.forget_first();
+        job.frame.set_mix(&job.world.mix());
+        job.statistics = Statistics::default();
+        Ok(())
+    }
+
+    /// Renders one batch and adds it to what is shown, not to the sums.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn show(&mut self, batch: Batch) -> Result<()> {
+        let Cpu { pool, job } = self;
+        let job = job.as_mut().ok_or_else(nothing)?;
+        pool.install(|| job.add(batch, false));
+        Ok(())
+    }
+
     /// The world in use, once `begin` was called.
     pub fn world(&self) -> Option<&World> {
         self.job.as_ref().map(|j| &j.world)
@@ -94,7 +120,7 @@ impl Cpu {
 
     /// Changes the world in use, on the threads of this back end. Sums of light groups whose light is another one now begin
     /// anew; where [`Changes::restarts_all`], what has been summed is of the world before, and it is the caller's to
-    /// [`Cpu::restart`].
+    /// [`Cpu::renew`], or to [`Cpu::restart`] if the view is another one.
     ///
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
@@ -105,9 +131,21 @@ impl Cpu {
         if !changes.groups.is_empty() {
             job.plan = Plan::new(&job.world, &job.settings);
         }
-        changes.groups.iter().for_each(|group| job.frame.restart(*group));
+        match edit {
+            Edit::Regroup { .. } => job.frame.regroup(&changes.groups),
+            _ => changes.groups.iter().for_each(|group| job.frame.change(*group)),
+        }
         job.frame.set_mix(&job.world.mix());
         Ok(changes)
+    }
+
+    /// From now on what is shown follows from the batches of the sums alone: nothing of what was before an edit stands in
+    /// for any ([`Frame::progress`], [`Settings::window`]).
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn let_go(&mut self) -> Result<()> {
+        self.job().map(|job| job.frame.let_go())
     }
 
     fn job(&mut self) -> Result<&mut Job> {
@@ -129,7 +167,7 @@ impl Backend for Cpu {
     fn add(&mut self, batch: Batch) -> Result<()> {
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch));
+        pool.install(|| job.add(batch, true));
         Ok(())
     }
 

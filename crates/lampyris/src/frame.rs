@@ -5,13 +5,18 @@
 //! A layer counts its own batches, and its light is weighted when it is looked at: to dim or colour a lamp costs sums over
 //! layers, and no ray. What tells the error, the randomisations, is kept for blocks of 8 × 8 pixels.
 
+mod held;
+mod window;
+
 use crate::color::Rgb;
 use crate::eye::Rect;
 use crate::geometry::{Kernel, Wide};
 use crate::sequence;
 use crate::settings::Settings;
 use crate::testing::student_quantile;
+use held::Held;
 use rayon::prelude::*;
+use window::Window;
 
 /// The sums of a picture, or of a list of meters (then one row).
 #[derive(Clone, Debug, Default)]
@@ -23,9 +28,13 @@ pub struct Frame {
     /// Names of the parts that have planes of their own.
     parts: Vec<String>,
     layers: Vec<Layer>,
+    /// What stands in for layers that are solved anew; no layer has two.
+    held: Vec<Held>,
     /// Randomisations.
     replicates: usize,
     filtered: bool,
+    /// Batches that are shown while light changes.
+    window: u32,
     auxiliary: Option<Auxiliary>,
 }
 
@@ -40,6 +49,8 @@ struct Layer {
     replicates: Vec<Replicate>,
     /// Σ over the batches of what each shows, if filtered.
     shown: Option<Vec<Rgb>>,
+    /// How many these are, and what was shown before.
+    window: Window,
 }
 
 /// What a randomisation's spread is known by.
@@ -55,6 +66,19 @@ struct Replicate {
 
 /// Rectangles of a picture with the planes of their values, row by row.
 pub type Tiles = Vec<(Rect, Vec<Vec<Rgb>>)>;
+
+/// How far a layer is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Batches that it has.
+    pub batches: u32,
+    /// Batches that it will have when it has caught up with the layer that has most, and with what stands in for it.
+    pub of: u32,
+    /// Until then what is shown is also of the sums before its lamps changed groups ([`Edit::Regroup`]).
+    ///
+    /// [`Edit::Regroup`]: crate::scene::Edit::Regroup
+    pub held: bool,
+}
 
 /// Edge of a block of pixels.
 const BLOCK: u32 = 8;
@@ -106,8 +130,10 @@ impl Frame {
             height,
             parts: parts.iter().map(|n| (*n).to_owned()).collect(),
             layers: Vec::new(),
+            held: Vec::new(),
             replicates: settings.replicates as usize,
             filtered: settings.filter,
+            window: settings.window,
             auxiliary: settings.auxiliary.then(|| Auxiliary::new(pixels)),
         };
         frame.layers = vec![frame.empty(); layers];
@@ -125,11 +151,13 @@ impl Frame {
             planes: (0..self.parts.len().max(1)).map(|_| plane()).collect(),
             replicates: vec![replicate; self.replicates],
             shown: self.filtered.then(plane),
+            window: Window::default(),
         }
     }
 
-    /// Empties a layer, or adds one of the next number.
+    /// Empties a layer, or adds one of the next number. What stood in for it does not any more.
     pub(crate) fn restart(&mut self, layer: usize) {
+        self.held.retain(|held| !held.is_for(layer));
         let empty = self.empty();
         match self.layers.get_mut(layer) {
             Some(own) => *own = Layer { color: own.color, ..empty },
@@ -167,6 +195,17 @@ impl Frame {
         self.layers.get(layer).map_or(0, Layer::batches)
     }
 
+    /// How far each layer is.
+    pub fn progress(&self) -> Vec<Progress> {
+        let most = self.layers.iter().map(Layer::batches).max().unwrap_or(0);
+        let of = |(number, layer): (usize, &Layer)| {
+            let held = self.held.iter().find(|held| held.is_for(number));
+            let of = held.map_or(most, |held| held.batches().max(most));
+            Progress { batches: layer.batches(), of, held: held.is_some() }
+        };
+        self.layers.iter().enumerate().map(of).collect()
+    }
+
     /// Names of the parts that can be told apart: none where lamps are.
     pub fn part_names(&self) -> impl Iterator<Item = &str> {
         self.parts.iter().map(String::as_str)
@@ -182,26 +221,41 @@ impl Frame {
 
     /// The mean of one layer over all its batches, in its colour; `None` if there is none of that number.
     pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
-        Some(self.sum(self.layers.get(number)?.mean(1.0)))
+        let layer = self.layers.get(number)?;
+        Some(self.sum(layer.mean(layer.color)))
     }
 
-    /// What [`Frame::shown`] has of one layer; `None` if there is none of that number.
+    /// What [`Frame::shown`] has of the batches of one layer; `None` if there is none of that number.
     pub fn shown_layer(&self, number: usize) -> Option<Vec<Rgb>> {
         let (layer, share) = (self.layers.get(number)?, self.filtered_shares()[number]);
-        Some(self.sum(layer.mean(1.0 - share).chain(layer.mean_shown(share))))
+        Some(self.sum(layer.mix(layer.color, share)))
     }
 
     /// The picture: the mean of all layers together.
     pub fn mean(&self) -> Vec<Rgb> {
-        self.sum(self.layers.iter().flat_map(|layer| layer.mean(1.0)))
+        self.sum(self.layers.iter().flat_map(|layer| layer.mean(layer.color)))
     }
 
     /// The picture to show: of each layer the mean of the filtered batches, if they were, as long as the error of the mean
-    /// itself would be visible. The one turns into the other by degrees.
+    /// itself would be visible. The one turns into the other by degrees. Layers whose lamps changed groups are held until
+    /// they have caught up with what they were ([`Frame::progress`]).
     pub fn shown(&self) -> Vec<Rgb> {
+        self.shown_of(|_| true)
+    }
+
+    /// What is shown of some layers: of all or none of those that are held together.
+    fn shown_of(&self, wanted: impl Fn(usize) -> bool) -> Vec<Rgb> {
         let shares = self.filtered_shares();
-        let layers = self.layers.iter().zip(shares);
-        self.sum(layers.flat_map(|(layer, share)| layer.mean(1.0 - share).chain(layer.mean_shown(share))))
+        let own = (0..).zip(self.layers.iter().zip(shares)).filter(|(number, _)| wanted(*number));
+        let own = own.flat_map(|(number, (layer, share))| layer.mix(self.color(number), share));
+        let held = self.held.iter().filter(|held| held.layers().any(&wanted));
+        self.sum(own.chain(held.map(|held| held.plane(&self.layers))))
+    }
+
+    /// What a layer's own batches are multiplied by where it is shown.
+    fn color(&self, layer: usize) -> Rgb {
+        let held = self.held.iter().find_map(|held| held.color(layer, &self.layers));
+        self.layers[layer].color - held.unwrap_or(Rgb::BLACK)
     }
 
     /// The sum of planes, each times a colour.
@@ -224,10 +278,17 @@ impl Frame {
             return vec![0.0; self.layers.len()];
         };
         let mut means = vec![0.0; first.replicates[0].probes.len()];
-        for layer in &self.layers {
+        for (number, layer) in self.layers.iter().enumerate() {
+            let color = self.color(number);
             for (at, mean) in means.iter_mut().enumerate() {
                 let sum = layer.replicates.iter().fold(Rgb::BLACK, |sum, r| sum + r.probes[at]);
-                *mean += f64::from((layer.color * sum).luminance() * layer.scale());
+                *mean += f64::from((color * sum).luminance() * layer.scale());
+            }
+        }
+        for (plane, by) in self.held.iter().map(|held| held.plane(&self.layers)) {
+            for (at, mean) in means.iter_mut().enumerate() {
+                let pixel = self.probe(at).map_or(Rgb::BLACK, |pixel| plane[pixel]);
+                *mean += f64::from((pixel * by).luminance());
             }
         }
         let tenth = 0.1 * means.iter().sum::<f64>() / means.len().max(1) as f64;
@@ -245,6 +306,14 @@ impl Frame {
             filtered_share(error * self.layers.len() as f64)
         };
         self.layers.par_iter().map(share).collect()
+    }
+
+    /// Where the pixel lies that stands for a block; `None` where that is outside of the picture.
+    fn probe(&self, block: usize) -> Option<usize> {
+        let ([columns, _], edge) = (self.blocks(), self.block());
+        let [x, y] = probe(block, edge);
+        let (x, y) = ((block % columns) as u32 * edge + x, (block / columns) as u32 * edge + y);
+        (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
     }
 
     /// Standard error of the luminance of one pixel's mean, from the spread of the randomisations [cd/m²]; in a picture of
@@ -301,12 +370,21 @@ impl Frame {
     /// A batch of randomisation `replicate` is complete in a layer: every pixel of it was added once.
     pub fn count(&mut self, layer: usize, replicate: u32) {
         self.layers[layer].replicates[replicate as usize].batches += 1;
+        self.count_shown(layer);
+        let layers = &self.layers;
+        self.held.retain(|held| held.share(layers) > 0.0);
     }
 
     /// What is shown of some layers, whose numbers ascend.
     pub(crate) fn shown_mut(&mut self, layers: &[usize]) -> Vec<&mut Vec<Rgb>> {
         let asked = (0..).zip(&mut self.layers).filter(|(number, _)| layers.contains(number));
         asked.filter_map(|(_, layer)| layer.shown.as_mut()).collect()
+    }
+
+    /// What the eye met first it may meet no longer.
+    pub(crate) fn forget_first(&mut self) {
+        let pixels = self.width as usize * self.height as usize;
+        self.auxiliary = self.auxiliary.take().map(|_| Auxiliary::new(pixels));
     }
 
     pub(crate) fn auxiliary_mut(&mut self) -> Option<&mut Auxiliary> {
@@ -389,16 +467,18 @@ impl Layer {
         1.0 / self.batches().max(1) as f32
     }
 
-    /// The planes whose sum is so much of its mean, in its colour.
-    fn mean(&self, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
-        let by = self.color * (share * self.scale());
+    /// The planes whose sum is its mean, in a colour.
+    fn mean(&self, color: Rgb) -> impl Iterator<Item = (&[Rgb], Rgb)> {
+        let by = color * self.scale();
         self.planes.iter().map(move |plane| (plane.as_slice(), by))
     }
 
-    /// The same of what its batches show.
-    fn mean_shown(&self, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
-        let by = self.color * (share * self.scale());
-        self.shown.iter().map(move |plane| (plane.as_slice(), by))
+    /// The same where a share of it is of what its batches show, and with what is shown of those before.
+    fn mix(&self, color: Rgb, share: f32) -> impl Iterator<Item = (&[Rgb], Rgb)> {
+        let own = color * self.window.own();
+        let by = own * (share * self.window.scale());
+        let shown = self.shown.iter().map(move |plane| (plane.as_slice(), by));
+        self.mean(own * (1.0 - share)).chain(shown).chain(self.window.past(color))
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Session {
     /// Width and height [pixels].
     size: [u32; 2],
     settings: Settings,
+    /// Number of the next batch that is drawn while light changes, below [`Settings::window`].
+    turn: u32,
     log: Vec<Edit>,
     /// What takes the last edits back, the latest at the end.
     undo: Vec<Edit>,
@@ -46,6 +48,7 @@ impl Session {
             cpu,
             size,
             settings: settings.clone(),
+            turn: 0,
             log: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
@@ -61,6 +64,25 @@ impl Session {
         self.undo.push(changes.inverse.clone());
         self.redo.clear();
         Ok(changes)
+    }
+
+    /// Makes lamps of one light group a group of their own, if others share it, and returns its number: to be dimmed by
+    /// themselves ([`Edit::Mix`]). The picture stays; how far the layers solved anew are [`Frame::progress`] tells.
+    ///
+    /// # Errors
+    /// As [`Session::edit`]: where the scene has no groups, or as many as it may have; emitters that it does not have, or of
+    /// several groups.
+    pub fn split(&mut self, emitters: &[u32]) -> Result<u16> {
+        let scene = self.scene()?;
+        let (shares, next) = (&scene.reference.shares, scene.groups.len() as u16);
+        let group_of = |emitter: &u32| shares.get(*emitter as usize).map(|share| share.group);
+        let group = emitters.first().and_then(group_of);
+        let mut all = (0..).zip(shares);
+        let shared = all.any(|(number, share)| Some(share.group) == group && !emitters.contains(&number));
+        match group.filter(|own| !shared && emitters.iter().all(|e| group_of(e) == Some(*own))) {
+            Some(group) if next > 0 => Ok(group),
+            _ => self.edit(&Edit::Regroup { emitters: emitters.to_vec(), group: next }).map(|_| next),
+        }
     }
 
     /// Takes the last edit back that has not been; `None` where there is none.
@@ -101,22 +123,31 @@ impl Session {
 
     /// Adds a batch to the picture: the next one of the light groups that have fewest.
     ///
+    /// With a [`Settings::window`] of N batches successive steps take the numbers 0 to N − 1 in turn while light changes, so
+    /// that the last N are of different light paths; until the turn comes to 0 they are shown and not added.
+    ///
     /// # Errors
     /// Those of the back end.
     pub fn step(&mut self) -> Result<()> {
-        let index = self.frame()?.batches();
+        let (index, turn) = (self.frame()?.batches(), self.turn);
+        self.turn = (turn + 1) % self.settings.window;
+        if index == 0 && turn > 0 {
+            return self.cpu.show(Batch { index: turn });
+        }
         self.cpu.add(Batch { index })
     }
 
-    /// Adds batches until all light groups have `batches` of them.
+    /// Adds batches until all light groups have `batches` of them. The picture is then that of so many batches, and nothing
+    /// stands in for any of them, whatever was done before.
     ///
     /// # Errors
     /// As [`Session::step`].
     pub fn settle(&mut self, batches: u32) -> Result<()> {
         while self.frame()?.batches() < batches {
+            self.turn = 0;
             self.step()?;
         }
-        Ok(())
+        self.cpu.let_go()
     }
 
     /// Starts the picture again with other settings.
@@ -126,6 +157,7 @@ impl Session {
     pub fn set(&mut self, settings: &Settings) -> Result<()> {
         settings.check()?;
         self.settings = settings.clone();
+        self.turn = 0;
         let eye = eye(self.scene()?.view.as_ref(), self.size)?;
         self.cpu.restart(eye, &self.settings)
     }
@@ -166,7 +198,11 @@ impl Session {
         }
         let changes = self.cpu.edit(edit)?;
         self.log.push(edit.clone());
-        if changes.restarts_all() {
+        if changes.restarts_all() && !changes.view {
+            self.cpu.renew()?;
+        } else if changes.view {
+            // Batches seen from elsewhere show nothing of use, but their light paths are the same again.
+            self.turn = 0;
             let eye = eye(self.scene()?.view.as_ref(), self.size)?;
             self.cpu.restart(eye, &self.settings)?;
         }

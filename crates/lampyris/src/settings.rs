@@ -40,6 +40,9 @@ pub struct Settings {
     pub seed: u32,
     /// Also keep what is to be shown: each batch averaged between neighbours, see [`crate::filter`].
     pub filter: bool,
+    /// N: while light changes from batch to batch, what is shown is the mean of the last N, each of the scene as it was then
+    /// [Keller97, §4.3]; 1 shows those since the last change alone. It asks for `filter`.
+    pub window: u32,
     /// Further eye rays, for what is to be shown, in each pixel where surfaces meet.
     pub edges: u32,
     /// Also average albedo, normal, depth and object number of what the eye meets first.

@@ -165,6 +165,7 @@ fn edited_is_fresh_layer_by_layer() {
         picks: Some(4),
         light_points: Some(8),
         filter: true,
+        window: 2,
         ..settings(FAST, 24, 1, 1)
     };
     let fast = Settings { photons: 200, ..settings(FAST, 12, 4, 1) };
@@ -261,4 +262,148 @@ fn groups_that_do_not_exist_are_refused() {
     apart.lights.extend(more);
     let crowded = World::new(apart);
     assert_eq!((crowded.groups(), crowded.group_of(Group::MOST as u32 + 2)), (Group::MOST, Group::MOST - 1));
+}
+
+/// Sums of pictures, each times a factor.
+fn total(planes: &[(f32, Vec<Rgb>)]) -> Vec<Rgb> {
+    let pixel = |k: usize| planes.iter().fold(Rgb::BLACK, |sum, (by, plane)| sum + plane[k] * *by);
+    (0..planes[0].1.len()).map(pixel).collect()
+}
+
+/// A lamp is taken out of a group that it shares: each new batch of both takes the place of one before, what is dimmed
+/// meanwhile is seen at once, and in the end the picture has the bits of one begun anew.
+#[test]
+fn what_is_regrouped_is_held_until_it_has_caught_up() {
+    const BEFORE: u32 = 4;
+    let shown = Settings { filter: true, passes: Some(1), replicates: 2, ..plain() };
+    for settings in [plain(), shown] {
+        let mut session =
+            Session::open(separated(room(5), 2), SIZE, &settings, Some(2)).expect("a scene with a view");
+        let others = session.scene().expect("open").reference.shares.clone();
+        let shared = session.scene().expect("open").groups.iter().position(|g| g.name == "others");
+        let (shared, apart, new) = (shared.expect("a group"), 1 - shared.expect("a group"), 2);
+        let lamps: Vec<u32> = (0..5).filter(|k| usize::from(others[*k as usize].group) == shared).collect();
+        session.settle(BEFORE).expect("batches");
+        let first = session.frame().expect("open").clone();
+        session.edit(&Edit::Regroup { emitters: vec![lamps[0]], group: new as u16 }).expect("sound");
+        let (old, alone) = (first.shown_layer(shared).expect("a layer"), first.shown_layer(apart));
+        let alone = alone.expect("a layer");
+        assert_alike(&session.frame().expect("open").shown(), &first.shown());
+
+        let dimmed = Rgb::new(0.25, 0.5, 3.0);
+        for step in 0..BEFORE {
+            let frame = session.frame().expect("open");
+            let progress = frame.progress();
+            let [held, free] = [shared, apart].map(|k| progress[k]);
+            assert_eq!((held.batches, held.of, held.held), (step, BEFORE, true));
+            assert_eq!((free.batches, free.of, free.held), (BEFORE, BEFORE, false));
+            assert_eq!(progress[new], held);
+            let place = step as f32 / BEFORE as f32;
+            let layers = [shared, new].map(|k| frame.shown_layer(k).expect("a layer"));
+            let expected = [
+                (1.0, alone.clone()),
+                (1.0 - place, old.clone()),
+                (place, layers[0].clone()),
+                (place, layers[1].clone()),
+            ];
+            assert_alike(&frame.shown(), &total(&expected));
+            // Exact sums know nothing of it.
+            let own = [shared, apart, new].map(|k| (1.0, frame.layer(k).expect("a layer")));
+            assert_alike(&frame.mean(), &total(&own));
+
+            let (shown, layer) = (frame.shown(), frame.shown_layer(new).expect("a layer"));
+            let white = Edit::Mix { group: new as u16, color: Rgb::WHITE };
+            session.edit(&Edit::Mix { group: new as u16, color: dimmed }).expect("sound");
+            let change = layer.iter().map(|v| *v * (dimmed - Rgb::WHITE)).collect();
+            assert_alike(&session.frame().expect("open").shown(), &total(&[(1.0, shown), (1.0, change)]));
+            session.edit(&white).expect("sound");
+            session.step().expect("a batch");
+        }
+        let scene = session.scene().expect("open").clone();
+        let mut fresh = Session::open(scene, SIZE, &settings, Some(1)).expect("a view");
+        fresh.settle(BEFORE).expect("batches");
+        let frames = [&mut session, &mut fresh].map(|s| s.frame().expect("open").clone());
+        assert!(frames[0].progress().iter().all(|p| !p.held));
+        assert!(frames[0].shown() == frames[1].shown() && frames[0].mean() == frames[1].mean());
+    }
+}
+
+/// To touch a lamp of a group gives it one of its own, once.
+#[test]
+fn a_lamp_is_split_off_once() {
+    let mut session = Session::open(separated(room(4), 2), SIZE, &plain(), Some(2)).expect("a view");
+    let groups = |s: &Session| {
+        let scene = s.scene().expect("open");
+        scene.reference.shares.iter().map(|share| share.group).collect::<Vec<_>>()
+    };
+    let before = groups(&session);
+    let alone = (0..4).find(|k| before.iter().filter(|g| **g == before[*k]).count() == 1).expect("a lamp");
+    let shared: Vec<u32> = (0..4).filter(|k| *k != alone as u32).collect();
+    assert_eq!(session.split(&[alone as u32]).expect("alone"), before[alone]);
+    assert_eq!(session.split(&shared).expect("all of a group"), before[shared[0] as usize]);
+    assert!(session.log().is_empty() && groups(&session) == before);
+    for _ in 0..2 {
+        assert_eq!(session.split(&shared[1..2]).expect("sound"), 2);
+    }
+    assert_eq!((session.log().len(), groups(&session)[shared[1] as usize]), (1, 2));
+    for bad in [&[][..], &[9], &[shared[0], alone as u32]] {
+        assert!(session.split(bad).is_err(), "{bad:?}");
+    }
+    let mut whole = Session::open(room(4), SIZE, &plain(), Some(2)).expect("a view");
+    assert!(whole.split(&[0]).is_err() && whole.split(&[0, 1, 2, 3]).is_err(), "no groups");
+}
+
+/// Held as long as it is true: through further splits, without what is another light, and not when somebody asks for
+/// the picture of so many batches.
+#[test]
+fn what_is_no_longer_true_is_not_held() {
+    let open = || {
+        let mut session =
+            Session::open(separated(room(5), 1), SIZE, &plain(), Some(2)).expect("a scene with a view");
+        session.settle(3).expect("batches");
+        session.edit(&Edit::Regroup { emitters: vec![0], group: 1 }).expect("sound");
+        session.step().expect("a batch");
+        session
+    };
+    let held = |s: &mut Session| -> Vec<bool> {
+        s.frame().expect("open").progress().iter().map(|p| p.held).collect()
+    };
+    let shown = |s: &mut Session| s.frame().expect("open").shown();
+
+    let mut split = open();
+    let before = shown(&mut split);
+    split.edit(&Edit::Regroup { emitters: vec![1], group: 2 }).expect("sound");
+    assert_alike(&shown(&mut split), &before);
+    split.undo().expect("done").expect("an edit");
+    assert_alike(&shown(&mut split), &before);
+    assert_eq!(held(&mut split), [true, true, true]);
+
+    // The lamp that was split off moves: the others are held without it, if a batch tells what it gave.
+    let mut moved = open();
+    let LightKind::Point { position, intensity } = moved.scene().expect("open").lights[0].kind else {
+        panic!("a point")
+    };
+    let kind = LightKind::Point { position: position + Vec3::X * 0.1, intensity };
+    let (before, lamp) = (shown(&mut moved), moved.frame().expect("open").shown_layer(1).expect("a layer"));
+    moved.edit(&Edit::Light { light: 0, kind: kind.clone() }).expect("sound");
+    assert_eq!(held(&mut moved), [true, false]);
+    assert_alike(&shown(&mut moved), &total(&[(1.0, before), (-1.0, lamp)]));
+
+    let mut at_once = open();
+    at_once.edit(&Edit::Regroup { emitters: vec![1], group: 2 }).expect("sound");
+    at_once.edit(&Edit::Light { light: 1, kind }).expect("sound");
+    assert_eq!(held(&mut at_once), [false, false, false]);
+    let frame = at_once.frame().expect("open").clone();
+    assert!(frame.shown() == frame.mean());
+
+    // Into a group of another colour: the picture is another one.
+    let mut colored = open();
+    colored.settle(3).expect("batches");
+    colored.edit(&Edit::Mix { group: 1, color: Rgb::grey(0.5) }).expect("sound");
+    colored.edit(&Edit::Regroup { emitters: vec![1], group: 1 }).expect("sound");
+    assert_eq!(held(&mut colored), [false, false]);
+
+    let mut settled = open();
+    settled.settle(1).expect("nothing to do");
+    assert_eq!(held(&mut settled), [false, false]);
 }

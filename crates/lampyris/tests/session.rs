@@ -58,7 +58,8 @@ fn scene(session: &Session) -> Scene {
 fn edited_is_fresh() {
     let mut c = Chance::new(11);
     let mut pictures = std::collections::HashSet::new();
-    for (settings, rounds) in [(fast(), 26), (shown(), 10), (settings(ORACLE, 1, 4, 1), 4)] {
+    let window = Settings { window: 3, ..shown() };
+    for (settings, rounds) in [(fast(), 20), (shown(), 8), (window, 8), (settings(ORACLE, 1, 4, 1), 4)] {
         for round in 0..rounds {
             let mut session = open(stage(), &settings, 1 + round % 2);
             for _ in 0..250 {

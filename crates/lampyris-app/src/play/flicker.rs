@@ -17,7 +17,8 @@ use serde::Serialize;
 pub(crate) struct Flicker {
     /// Batches of each converged frame.
     reference_batches: u32,
-    pub(crate) unfiltered: Pair,
+    /// Nothing with a window of past batches, which are filtered.
+    pub(crate) unfiltered: Option<Pair>,
     pub(crate) displayed: Pair,
 }
 
@@ -29,6 +30,8 @@ pub(crate) struct Pair {
     /// With random numbers drawn anew in each frame.
     pub(crate) independent: f64,
     pub(crate) ratio: f64,
+    /// Σ |Lₜ − Rₜ| / Σ Rₜ: how far the session's frames are from converged ones.
+    pub(crate) error: f64,
 }
 
 /// The measurement while frames come.
@@ -77,9 +80,11 @@ impl Meter {
     pub(crate) fn result(&self) -> Flicker {
         let pair = |kind: usize| {
             let (session, independent) = (self.changes[kind].share(), self.changes[2 + kind].share());
-            Pair { session, worst: self.changes[kind].worst, independent, ratio: independent / session }
+            let Changes { worst, off, all, .. } = self.changes[kind];
+            Pair { session, worst, independent, ratio: independent / session, error: off / all }
         };
-        Flicker { reference_batches: self.reference_batches, unfiltered: pair(0), displayed: pair(1) }
+        let unfiltered = (self.shadow.settings.window == 1).then(|| pair(0));
+        Flicker { reference_batches: self.reference_batches, unfiltered, displayed: pair(1) }
     }
 }
 
@@ -102,14 +107,19 @@ struct Changes {
     light: f64,
     /// The greatest share of a frame.
     worst: f64,
+    /// Σ |L − R| and Σ R of all frames, the first too.
+    off: f64,
+    all: f64,
 }
 
 impl Changes {
     fn add(&mut self, frame: Vec<f32>, truth: &[f32]) {
         let off: Vec<f32> = frame.iter().zip(truth).map(|(l, r)| l - r).collect();
+        let light: f64 = truth.iter().map(|r| f64::from(*r)).sum();
+        self.off += off.iter().map(|o| f64::from(o.abs())).sum::<f64>();
+        self.all += light;
         if let Some(before) = &self.before {
             let change: f64 = off.iter().zip(before).map(|(a, b)| f64::from((a - b).abs())).sum();
-            let light: f64 = truth.iter().map(|r| f64::from(*r)).sum();
             self.change += change;
             self.light += light;
             self.worst = self.worst.max(change / light);
@@ -135,5 +145,7 @@ mod tests {
         // Only the second pixel of the third frame changes otherwise than the truth: by 1, where Σ R is 7 + 8.
         assert!((changes.share() - 1.0 / 15.0).abs() < 1e-9);
         assert_eq!(changes.worst, 1.0 / 8.0);
+        // Two pixels are off by 1, of all the light of three frames.
+        assert_eq!(changes.off / changes.all, 2.0 / 18.0);
     }
 }

@@ -6,9 +6,11 @@ mod reel;
 mod script;
 mod stage;
 
+pub(crate) use script::WINDOW;
 pub(crate) use stage::{lamp_names, object_names};
 
 use crate::cli::PlayArgs;
+use crate::estimate::absorption;
 use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::FrameProgress;
 use crate::{bench, interrupt, memory, say, scene_file, viewing};
@@ -86,7 +88,7 @@ pub(crate) fn play(args: &PlayArgs) -> Result<ExitCode, Failure> {
         }
         let begun = Instant::now();
         let before = player.arrange(number)?;
-        player.step()?;
+        player.step(number)?;
         let picture = Picture::new(size.0, size.1, player.session.frame()?.shown());
         times.push(begun.elapsed().as_secs_f32());
         rays += since(player.session.statistics().rays, before);
@@ -166,7 +168,9 @@ impl Player {
         let chosen = cpu.install(|| viewing::choose(&args.view, &world, aspect))?;
         let settings =
             if args.wald { bench::wald(&world, bench::workload_of(file)) } else { Settings::interactive() };
-        let settings = Settings { seed: args.seed, ..settings };
+        let window = args.window.unwrap_or(script.window);
+        let settings =
+            Settings { seed: args.seed, window, absorption: absorption(&args.absorption)?, ..settings };
         let stage = Stage::new(script, &args.script, world.scene(), &chosen.camera)?;
         if let Some(frame) = (0..script.frames).find(|frame| !stage.camera(*frame).is_sound()) {
             let reason =
@@ -203,9 +207,10 @@ impl Player {
         Ok(self.session.statistics().rays)
     }
 
-    /// The batches of a frame.
-    fn step(&mut self) -> Result<(), Error> {
-        (0..self.settle).try_for_each(|_| self.session.step())
+    /// The batches of a frame. The first has a whole window of them, as if all had been still before.
+    fn step(&mut self, frame: u32) -> Result<(), Error> {
+        let first = if frame == 0 { self.settings.window } else { 1 };
+        (0..self.settle.max(first)).try_for_each(|_| self.session.step())
     }
 }
 
@@ -238,13 +243,15 @@ fn text(report: &Report) -> String {
         report.frames
     );
     if let Some(f) = &report.flicker {
-        for (kind, pair) in [("unfiltered", f.unfiltered), ("displayed", f.displayed)] {
+        for (kind, pair) in [("unfiltered", f.unfiltered), ("displayed", Some(f.displayed))] {
+            let Some(pair) = pair else { continue };
             text += &format!(
-                "\nflicker {kind}: {:.3} % a frame, {:.3} % at worst, {:.3} % if every frame drew anew, {:.1} times",
+                "\nflicker {kind}: {:.3} % a frame, {:.3} % at worst, {:.3} % if every frame drew anew, {:.1} times; off by {:.3} %",
                 pair.session * 100.0,
                 pair.worst * 100.0,
                 pair.independent * 100.0,
-                pair.ratio
+                pair.ratio,
+                pair.error * 100.0
             );
         }
     }

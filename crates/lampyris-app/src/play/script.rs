@@ -15,6 +15,8 @@ const BYTES: u64 = 1 << 24;
 const FRAMES: u32 = 100_000;
 const KEYS: usize = 10_000;
 const FASTEST: u32 = 1000;
+/// Batches in a window.
+pub(crate) const WINDOW: u32 = 64;
 /// Largest coordinate [m], angle [°] or factor: sums of several stay finite.
 const LARGEST: f32 = 1e9;
 
@@ -33,6 +35,9 @@ pub(crate) struct Script {
     pub(crate) fps: u32,
     #[serde(deserialize_with = "json::count")]
     pub(crate) frames: u32,
+    /// Batches of which a frame is the mean while lights and objects move.
+    #[serde(default = "usual_window", deserialize_with = "json::count")]
+    pub(crate) window: u32,
     #[serde(default, deserialize_with = "json::list")]
     pub(crate) camera: Vec<CameraKey>,
     #[serde(default, deserialize_with = "json::list")]
@@ -103,6 +108,10 @@ fn usual_size() -> (u32, u32) {
 
 fn usual_rate() -> u32 {
     25
+}
+
+fn usual_window() -> u32 {
+    1
 }
 
 /// A key of any kind.
@@ -212,6 +221,7 @@ impl Script {
         need(fits, "size", format!("need at least 1 x 1 and at most {pixels} pixels"))?;
         need((1..=FRAMES).contains(&self.frames), "frames", format!("need 1 to {FRAMES}"))?;
         need((1..=FASTEST).contains(&self.fps), "fps", format!("need 1 to {FASTEST}"))?;
+        need((1..=WINDOW).contains(&self.window), "window", format!("need 1 to {WINDOW}"))?;
         let tracks =
             self.lights.iter().map(|t| t.keys.len()).chain(self.objects.iter().map(|t| t.keys.len()));
         let keys = tracks.sum::<usize>() + self.camera.len();

@@ -80,6 +80,8 @@ impl Plane {
 /// What all tiles of a batch share.
 struct Shared<'w> {
     batch: Batch,
+    /// Whether it is added to the sums, or only to what is shown.
+    kept: bool,
     /// The light groups that the batch is added to.
     groups: &'w [usize],
     /// Of each class, the light of these groups.
@@ -106,8 +108,8 @@ struct Summed {
 const TOGETHER: usize = 128;
 
 impl Job {
-    /// Adds a batch to the light groups that have the fewest: to all, unless some began anew.
-    pub(super) fn add(&mut self, batch: Batch) {
+    /// Adds a batch to the light groups that have the fewest, to all, unless some began anew; or only to what they show.
+    pub(super) fn add(&mut self, batch: Batch, kept: bool) {
         let frame = &self.frame;
         let fewest = frame.batches();
         let groups: Vec<usize> =
@@ -127,8 +129,11 @@ impl Job {
         }
         statistics.rays.particle += photons.as_ref().map_or(0, |p| p.rays);
         let lights = self.lights(&groups, &walks);
-        let shared = Shared { batch, groups: &groups, lights, photons };
+        let shared = Shared { batch, kept, groups: &groups, lights, photons };
         let mut frame = std::mem::take(&mut self.frame);
+        if kept {
+            frame.begin(&groups);
+        }
         self.draw(&shared, &mut frame, &mut statistics);
         drop(walks);
         (self.frame, self.statistics) = (frame, statistics);
@@ -168,7 +173,8 @@ impl Job {
         let rects = self.rects(shared.batch);
         let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32)).max(1);
         // What the eye meets has nothing to do with light: it is noted once.
-        let note = frame.auxiliary().is_some_and(|sums| sums.samples == frame.batches() * passes);
+        let new = |sums: &Auxiliary| sums.samples == frame.batches() * passes;
+        let note = shared.kept && frame.auxiliary().is_some_and(new);
         let mut seen = self.settings.filter.then(|| Seen::new((width, height), shared.groups.len()));
         let sampling = self.sampling(shared.batch, 0);
         let glows = self.integrators.iter().any(|i| i.name() == "emission");
@@ -214,9 +220,13 @@ impl Job {
                 }
             }
             // A batch is summed by itself before it is added: others may then merge it to the same bits.
-            frame.add(replicate, &layers);
+            if shared.kept {
+                frame.add(replicate, &layers);
+            }
         }
-        shared.groups.iter().for_each(|group| frame.count(*group, replicate));
+        for group in shared.groups {
+            if shared.kept { frame.count(*group, replicate) } else { frame.count_shown(*group) }
+        }
         if let Some(sums) = frame.auxiliary_mut().filter(|_| note) {
             sums.samples += passes;
         }
