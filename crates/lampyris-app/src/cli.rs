@@ -233,7 +233,7 @@ pub(crate) struct EstimateArgs {
     /// Parts to add up: all, path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
     pub(crate) parts: Vec<String>,
-    /// Light paths started in one batch [default: 1600; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
+    /// Light paths started in one batch [default: 2400; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
     #[arg(long, value_name = "N")]
     pub(crate) paths: Option<u32>,
     /// Caustic photons from the lights in one batch, and as many again from where light was reflected [default: 32768]

@@ -41,7 +41,7 @@ impl Settings {
     /// averaged with its neighbours (docs/performance.md says what errors that leaves, and when).
     pub fn interactive() -> Settings {
         Settings {
-            paths: 1600,
+            paths: 2400,
             passes: Some(1),
             interleave: [5, 5],
             light_points: Some(50),
