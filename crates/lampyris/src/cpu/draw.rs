@@ -271,12 +271,13 @@ impl Job {
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
         self.eye.lay_out(&self.world, rect, self.settings.interleave, tiles);
+        let samples = self.settings.eye_passes();
         for number in numbers {
             let sampling = self.sampling(shared.batch, number);
             for tile in tiles.iter_mut() {
                 self.eye.look(&sampling, tile);
             }
-            self.eye.split(tiles, seconds);
+            self.eye.split(tiles, samples, seconds);
             rays.eye += tiles.iter().chain(&*seconds).map(|tile| tile.rays).sum::<u64>();
             if seconds.iter().any(|tile| !tile.packets.is_empty()) {
                 planes.iter_mut().flatten().for_each(|plane| plane.resize(pixels, Rgb::BLACK));
@@ -307,7 +308,7 @@ impl Job {
                 tiles.iter().for_each(|tile| note_first(tile, sums));
             }
         }
-        let scale = 1.0 / self.settings.eye_passes() as f32;
+        let scale = 1.0 / samples as f32;
         let mut non_finite = 0;
         for v in planes.iter_mut().flatten().flatten() {
             if v.is_finite() {

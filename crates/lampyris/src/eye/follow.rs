@@ -10,7 +10,7 @@ use crate::geometry::{Hit, Ray};
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
-use crate::world::{Surface, World};
+use crate::world::{Finish, Surface, World};
 use glam::Vec3;
 
 /// Sharp vertices after which an eye path is continued by roulette.
@@ -22,7 +22,8 @@ const MAX_VERTICES: u32 = 1024;
 /// The surest roulette: of paths that lose nothing on their way one in 10⁸ lives to be cut off.
 const SUREST: f32 = 0.98;
 
-/// Second paths that have a smaller share of what the first surface reflects are followed by chance, in proportion.
+/// Second paths that have a smaller share of what the first surface reflects are followed by chance, in proportion, where a
+/// pixel has one sample; where it has n at once, those of a share n times as large.
 const WORTH: f32 = 0.1;
 
 /// How an eye path came to its first dull vertex.
@@ -81,12 +82,30 @@ pub(super) fn first<'w>(
     (ended, fork.second > 0.0)
 }
 
-/// Whether the second path that leaves the first surface of an eye path is to be followed: then its weight.
-pub(super) fn second_weight(surface: &Surface<'_>, numbers: Numbers) -> Option<f32> {
+/// Whether the second path that leaves the first surface of an eye path, one of `samples`, is to be followed: then its weight.
+pub(super) fn second_weight(surface: &Surface<'_>, numbers: Numbers, samples: u32) -> Option<f32> {
     let fork = Fork::of(surface, numbers)?;
-    let sharp = surface.albedo(Class::Sharp).max_channel();
-    let share = fork.second * sharp / (sharp + surface.finish.weights().1);
-    let probability = (share / WORTH).min(1.0);
+    weight(&surface.finish, fork.second, surface.albedo(Class::Sharp), numbers, samples)
+}
+
+/// [`second_weight`] where the first path ends on an opaque surface seen under this cosine, before anything else is known of
+/// it: most second paths of many samples are not followed.
+pub(super) fn second_weight_seen(
+    finish: &Finish,
+    cosine: f32,
+    numbers: Numbers,
+    samples: u32,
+) -> Option<f32> {
+    let cosine = cosine.clamp(1e-4, 1.0);
+    let wo = Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
+    weight(finish, 1.0, finish.bsdf.albedo(Class::Sharp, wo), numbers, samples)
+}
+
+/// By the share `second` of the sharp lobes, and what those reflect.
+fn weight(finish: &Finish, second: f32, albedo: Rgb, numbers: Numbers, samples: u32) -> Option<f32> {
+    let sharp = albedo.max_channel();
+    let share = second * sharp / (sharp + finish.weights().1);
+    let probability = (share / (WORTH * samples as f32).min(1.0)).min(1.0);
     (numbers.one(ledger::class(0)) < probability).then(|| 1.0 / probability)
 }
 

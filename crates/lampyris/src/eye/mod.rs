@@ -182,24 +182,27 @@ impl Eye {
 
     /// Follows the second paths of tiles that were looked at, which left their first surface in another way than the first
     /// paths: a tile of them for each. What they see is to be added to what the first ones see; a pixel may occur in them
-    /// once or not at all. What `seconds` held is forgotten, its memory used again.
-    pub fn split<'w>(&self, tiles: &[Tile<'w>], seconds: &mut Vec<Tile<'w>>) {
+    /// once or not at all. Where a pixel has more `samples` at once, fewer second paths leave each. What `seconds` held is
+    /// forgotten, its memory used again.
+    pub fn split<'w>(&self, tiles: &[Tile<'w>], samples: u32, seconds: &mut Vec<Tile<'w>>) {
         let none = || Tile { rect: NOWHERE, packets: Vec::new(), stake: 1.0, rays: 0 };
         seconds.resize_with(tiles.len(), none);
         for (tile, second) in tiles.iter().zip(seconds) {
             let (mut count, mut stakes, mut rays) = (0, 0.0, Rays::default());
+            second.packets.iter_mut().for_each(Packet::clear);
             if let Eye::Camera(view) = self {
-                for path in tile.packets.iter().flat_map(|packet| packet.seconds(view.eye())) {
-                    let (number, lane) = (count / LANES, count % LANES);
+                for (first, lane) in tile.packets.iter().flat_map(|p| p.forks().map(move |lane| (p, lane))) {
+                    let (number, to) = (count / LANES, count % LANES);
                     if number == second.packets.len() {
-                        second.packets.push(Packet::new(path.world()));
+                        let mut packet = Packet::new(first.world());
+                        packet.clear();
+                        second.packets.push(packet);
                     }
                     let packet = &mut second.packets[number];
-                    if lane == 0 {
-                        packet.clear();
+                    if let Some(stake) = packet.follow(to, (first, lane), view.eye(), samples, &mut rays) {
+                        stakes += stake;
+                        count += 1;
                     }
-                    stakes += packet.follow(lane, path, &mut rays);
-                    count += 1;
                 }
             }
             second.packets.truncate(count.div_ceil(LANES));

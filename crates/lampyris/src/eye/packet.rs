@@ -2,7 +2,7 @@
 //!
 //! What every light asks of a vertex lies in arrays; the whole surface is worked out again where somebody asks.
 
-use super::follow::{Ended, first, second, second_weight};
+use super::follow::{Ended, first, second, second_weight, second_weight_seen};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
@@ -84,24 +84,6 @@ pub struct Packet<'w> {
     /// Lanes whose first surface a second path leaves.
     forks: u16,
     ends: Ends,
-}
-
-/// A second path that is to be followed.
-pub(super) struct Second<'p, 'w> {
-    first: &'p Packet<'w>,
-    /// The lane of `first` that it splits from.
-    lane: usize,
-    /// Where the camera is.
-    eye: Vec3,
-    /// The surface that it leaves.
-    surface: Surface<'w>,
-    weight: f32,
-}
-
-impl<'w> Second<'_, 'w> {
-    pub(super) fn world(&self) -> &'w World {
-        self.first.world
-    }
 }
 
 /// How the paths of a packet came to where they end.
@@ -273,18 +255,29 @@ impl<'w> Packet<'w> {
         self.ends = Ends::Camera { directions, hits, last };
     }
 
-    /// The second paths that are to be followed, of all lanes; the camera is at `eye`.
-    pub(super) fn seconds(&self, eye: Vec3) -> impl Iterator<Item = Second<'_, 'w>> {
-        let met = match &self.ends {
-            Ends::Camera { directions, hits, .. } => Some((directions, hits)),
-            _ => None,
-        };
-        lanes(self.forks).filter_map(move |k| {
-            let (directions, hits) = met?;
-            let surface = self.world.surface(lane(directions, k), &hits.get(k)?);
-            let weight = second_weight(&surface, self.numbers[k])?;
-            Some(Second { first: self, lane: k, eye, surface, weight })
-        })
+    /// Lanes whose first surface a second path leaves.
+    pub(super) fn forks(&self) -> impl Iterator<Item = usize> + use<> {
+        lanes(self.forks)
+    }
+
+    /// The scene.
+    pub(super) fn world(&self) -> &'w World {
+        self.world
+    }
+
+    /// The surface that a second path leaves, one of `samples`, and its weight, if it is to be followed.
+    fn second(&self, k: usize, samples: u32) -> Option<(Surface<'w>, f32)> {
+        let Ends::Camera { directions, hits, last } = &self.ends else { return None };
+        let (direction, hit, numbers) = (lane(directions, k), hits.get(k)?, self.numbers[k]);
+        if self.live >> k & 1 == 1 && last[k].is_none() {
+            let finish = self.world.finish(hit.instance, hit.triangle);
+            let cosine = -direction.dot(lane(&self.shading, k));
+            let weight = second_weight_seen(finish, cosine, numbers, samples)?;
+            return Some((self.world.surface(direction, &hit), weight));
+        }
+        let surface = self.world.surface(direction, &hit);
+        let weight = second_weight(&surface, numbers, samples)?;
+        Some((surface, weight))
     }
 
     /// Forgets everything, for second paths to come.
@@ -292,15 +285,27 @@ impl<'w> Packet<'w> {
         (self.live, self.lambertian, self.glossy, self.opaque, self.forks) = (0, 0, 0, 0, 0);
         self.pixels = [u32::MAX; LANES];
         self.gleams.clear();
-        let (directions, hits) = ([[0.0; LANES]; 3], Hits16::default());
-        self.ends = Ends::Camera { directions, hits, last: [None; LANES] };
+        if let Ends::Camera { last, .. } = &mut self.ends {
+            *last = [None; LANES];
+        } else {
+            let (directions, hits) = ([[0.0; LANES]; 3], Hits16::default());
+            self.ends = Ends::Camera { directions, hits, last: [None; LANES] };
+        }
     }
 
-    /// Follows a second path as one of its lanes. Returns the [`Tile::stake`] of that alone.
+    /// Follows the second path of a lane of `first`, seen from `eye`, as one of its own lanes, if it is to be followed where a
+    /// pixel has so many samples. Returns the [`Tile::stake`] of that path alone.
     ///
     /// [`Tile::stake`]: super::Tile::stake
-    pub(super) fn follow(&mut self, to: usize, path: Second<'_, 'w>, rays: &mut Rays) -> f32 {
-        let Second { first, lane, eye, surface, weight } = path;
+    pub(super) fn follow(
+        &mut self,
+        to: usize,
+        (first, lane): (&Packet<'w>, usize),
+        eye: Vec3,
+        samples: u32,
+        rays: &mut Rays,
+    ) -> Option<f32> {
+        let (surface, weight) = first.second(lane, samples)?;
         let numbers = [first.numbers[lane], first.numbers[lane].branch(b'2'.into())];
         (self.pixels[to], self.numbers[to]) = (first.pixels[lane], numbers[1]);
         (0..2).for_each(|axis| self.place[axis][to] = first.place[axis][lane]);
@@ -313,7 +318,7 @@ impl<'w> Packet<'w> {
             }
         }
         let (own, other) = (self.passed_on(to), first.passed_on(lane));
-        if own < other { own / other } else { 1.0 }
+        Some(if own < other { own / other } else { 1.0 })
     }
 
     /// What reaches the eye of the light that falls on a lane's vertex.
