@@ -31,7 +31,7 @@ pub(super) fn tile<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], r
     if !pass.world.bodies().make_caustics() {
         return;
     }
-    let costly = Costly { purpose: b's', phase: 2 };
+    let costly = Costly { purpose: b's', phase: 2, stake: tile.stake };
     costly.add(pass, tile.packets.iter(), out, |x, numbers, found| {
         at(pass, x, numbers, found, &mut rays.path);
     });

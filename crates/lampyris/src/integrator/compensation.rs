@@ -39,7 +39,7 @@ impl Integrator for Compensation {
         if pass.plan.bound == f32::INFINITY {
             return;
         }
-        let costly = Costly { purpose: b'c', phase: 1 };
+        let costly = Costly { purpose: b'c', phase: 1, stake: tile.stake };
         costly.add(pass, tile.packets.iter(), out, |x, numbers, found| {
             beyond_clamp(pass, *x, Way::Straight, numbers, found, rays);
         });

@@ -33,7 +33,7 @@ impl Integrator for Direct {
             return;
         }
         let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
-        let costly = Costly { purpose: b'd', phase: 0 };
+        let costly = Costly { purpose: b'd', phase: 0, stake: tile.stake };
         costly.add(pass, near, out, |x, numbers, found| {
             near_light(pass, x, Way::Straight, numbers, found, rays);
         });

@@ -55,7 +55,7 @@ impl Integrator for Mirror {
         }
         let reach = 1.0 / pass.plan.bound.min(pass.plan.emitter_bound).sqrt();
         let near = tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach));
-        let costly = Costly { purpose: b'm', phase: 3 };
+        let costly = Costly { purpose: b'm', phase: 3, stake: tile.stake };
         costly.add(pass, near, out, |x, numbers, found| {
             direct::near_light(pass, x, Way::Folded, numbers, found, rays);
             compensation::beyond_clamp(pass, *x, Way::Folded, numbers.branch(0), found, rays);

@@ -193,9 +193,20 @@ pub(crate) struct Costly {
     pub(crate) purpose: u8,
     /// Which byte of a pixel's seed is its phase: turns come at random, so that the mean is exact.
     pub(crate) phase: u32,
+    /// [`Tile::stake`]: where light counts for little, turns are rarer.
+    pub(crate) stake: f32,
 }
 
 impl Costly {
+    /// Passes for each of which one does the work. Powers of two, which a byte falls into evenly.
+    fn stride(&self) -> u32 {
+        match self.stake {
+            s if s <= 0.25 => 4 * STRIDE,
+            s if s <= 0.5 => 2 * STRIDE,
+            _ => STRIDE,
+        }
+    }
+
     /// Adds the radiance that `at` finds at the visible points of some packets [cd/m²], group by group, where it is their
     /// turn.
     pub(crate) fn add<'p, 'w: 'p>(
@@ -206,17 +217,18 @@ impl Costly {
         mut at: impl FnMut(&Surface<'w>, Numbers, &mut [Rgb]),
     ) {
         let mut found = vec![Rgb::BLACK; out.len()];
+        let stride = self.stride();
         for p in packets {
             for k in p.lanes() {
                 let numbers = p.numbers[k];
                 let turn = pass.sampling.index.wrapping_add(numbers.seed >> (8 * self.phase));
-                if turn.is_multiple_of(STRIDE)
+                if turn.is_multiple_of(stride)
                     && let Some(x) = p.visible(k)
                 {
                     found.fill(Rgb::BLACK);
                     at(&x.surface, numbers.branch(self.purpose.into()), &mut found);
                     for (out, found) in out.iter_mut().zip(&found) {
-                        out[p.pixels[k] as usize] += x.throughput * *found * STRIDE as f32;
+                        out[p.pixels[k] as usize] += x.throughput * *found * stride as f32;
                     }
                 }
             }
