@@ -1,8 +1,9 @@
 //! `lampyris bench`: how many frames a second this machine makes, everything worked out anew in each.
 //!
 //! Mode `wald` is the workload of [Wald et al. 2002, §5.1]: 3 × 3 interleaved, every virtual light of a class traced from
-//! every pixel, or picked where its eye path split, a 3 × 3 discontinuity buffer. Mode `picked` is a frame as it is shown by default. Phases are measured by
-//! leaving out what follows them: the walk alone; with eye rays; with the gather; with the filter.
+//! every pixel, or picked where its eye path split, a 3 × 3 discontinuity buffer. Mode `picked` is a frame as it is shown
+//! by default. Phases are measured by leaving out what follows them: the walk alone; with eye rays; with the gather; with
+//! the filter.
 
 use crate::cli::BenchArgs;
 use crate::failure::Failure;

@@ -281,10 +281,10 @@ fn gather<const P: usize>(
                 lit[i] = positive(&terms[i][k]) & gathered.together(asked.light);
                 *rays += u64::from(lit[i].count_ones());
             }
-            let blocked = match lit.iter().any(|lit| *lit != 0) {
-                true => tracer.occluded_parts(asked.light.position, targets, lit, &mut asked.occluder),
-                false => lit,
-            };
+            let mut blocked = [0; P];
+            if lit != blocked {
+                blocked = tracer.occluded_parts(asked.light.position, targets, lit, &mut asked.occluder);
+            }
             for (i, gathered) in packets.iter_mut().enumerate() {
                 gathered.add(world, asked, &terms[i][k], lit[i] & !blocked[i], rays);
             }

@@ -50,9 +50,7 @@ impl Integrator for Mirror {
         if world.mirrors().is_empty() {
             return;
         }
-        for (lights, out) in pass.zip(out) {
-            group(pass, lights, tile, out, &mut rays.shadow);
-        }
+        up_to_clamp(pass, tile, out, &mut rays.shadow);
         let reach = 1.0 / pass.plan.bound.min(pass.plan.emitter_bound).sqrt();
         let near = tile.packets.iter().filter(|p| may_be_near(world, p.extent(), reach));
         let costly = Costly { purpose: b'm', phase: 3, stake: tile.stake };
@@ -63,24 +61,33 @@ impl Integrator for Mirror {
     }
 }
 
-/// Adds what every point of a tile receives of the light of one group over mirrors, up to the clamp.
-fn group<'w>(pass: &Pass<'w>, lights: &Lights<'w>, tile: &Tile<'w>, out: &mut [Rgb], rays: &mut u64) {
+/// Adds what every point of a tile receives of the light of each group over mirrors, up to the clamp.
+fn up_to_clamp<'w>(pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut u64) {
     let (world, kernel) = (pass.world, pass.world.tracer().kernel());
     // Many virtual lights are picked among packet by packet.
-    let picks = lights.picks(pass.settings, lights.vpls, tile);
-    let sources = lights.points.iter().chain(if picks.is_none() { lights.vpls } else { &[] });
+    let picks = |lights: &Lights<'w>| lights.picks(pass.settings, lights.vpls, tile);
+    let images: Vec<Vec<Image<'w>>> =
+        pass.lights.iter().map(|lights| images(pass, lights, picks(lights).is_none())).collect();
+    for p in tile.packets.iter().filter(|p| p.live != 0) {
+        // The same for all groups: mirrors know nothing of light.
+        let panes: Vec<Pane<'_>> = world.mirrors().iter().map(|plane| Pane::new(kernel, plane, p)).collect();
+        for ((lights, out), images) in pass.zip(&mut *out).zip(&images) {
+            let picked = picks(lights).map_or(Vec::new(), |most| picked(world, lights, p, &panes, most));
+            let shown = images.iter().filter(|image| image.may_be_shown_by(&panes[image.number as usize]));
+            gather::add(p, &packet(world, p, shown.chain(&picked), rays), out);
+        }
+    }
+}
+
+/// The images of a group's light points, and of all of its virtual lights if so asked, that chance decides for.
+fn images<'w>(pass: &Pass<'w>, lights: &Lights<'w>, all: bool) -> Vec<Image<'w>> {
+    let sources = lights.points.iter().chain(if all { lights.vpls } else { &[] });
     let seed = sequence::hash(pass.sampling.seed, b'm'.into());
-    let images: Vec<Image<'w>> = sources
-        .flat_map(|light| Image::all(world, light))
+    sources
+        .flat_map(|light| Image::all(pass.world, light))
         .zip(0..)
         .filter_map(|(image, k)| image.drawn(sequence::uniform(seed, pass.sampling.index, k)))
-        .collect();
-    for p in tile.packets.iter().filter(|p| p.live != 0) {
-        let panes: Vec<Pane<'_>> = world.mirrors().iter().map(|plane| Pane::new(kernel, plane, p)).collect();
-        let picked = picks.map_or(Vec::new(), |most| picked(world, lights, p, &panes, most));
-        let shown = images.iter().filter(|image| image.may_be_shown_by(&panes[image.number as usize]));
-        gather::add(p, &packet(world, p, shown.chain(&picked), rays), out);
-    }
+        .collect()
 }
 
 /// Adds the radiance at one point by light over a mirror, up to the clamp of virtual lights, group by

@@ -145,7 +145,7 @@ impl<'w> Surface<'w> {
     /// normal's, the leaving one the other way round [Veach 1997, §5.3].
     pub fn scatter_flux(&self, class: Class, u: [f32; 2], choice: f32) -> Option<Scatter> {
         let arrived = self.flux_density()?;
-        if let (Class::Dull, Some(rho)) = (class, self.finish.lambertian) {
+        if let Some(rho) = self.lambertian(class) {
             // Exact for Lambert: the leaving cosine is the geometric one.
             let wi = Frame::new(self.normal).to_world(cosine_hemisphere(u));
             return Some(Scatter { wi, weight: rho * arrived, pdf: self.normal.dot(wi) * FRAC_1_PI });
