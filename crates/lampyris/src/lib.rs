@@ -245,6 +245,7 @@ pub struct Readme;
 pub struct Contributing;
 
 pub mod backend;
+pub mod chromaticity;
 pub mod color;
 pub mod cpu;
 pub mod error;

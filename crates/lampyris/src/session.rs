@@ -162,6 +162,22 @@ impl Session {
         self.cpu.restart(eye, &self.settings)
     }
 
+    /// Starts the picture again in another size [pixels].
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        let eye = eye(self.scene()?.view.as_ref(), size)?;
+        (self.size, self.turn) = (size, 0);
+        self.cpu.restart(eye, &self.settings)
+    }
+
+    /// Forgets what was done, but not what came of it: nothing can be undone, and the log begins here. For those who keep
+    /// their own.
+    pub fn forget(&mut self) {
+        (self.log, self.undo, self.redo) = Default::default();
+    }
+
     /// What was done since the picture was started last.
     pub fn statistics(&self) -> Statistics {
         self.cpu.statistics()
