@@ -1,24 +1,31 @@
 //! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
 //! the studio's, pictures the screen's.
 
+use crate::adding::{self, NewLamp};
 use crate::door::{Door, Role};
-use crate::edits::edits;
+use crate::edits::{edits, lit_at};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
 use crate::mixer::mix;
-use crate::model::{Model, Touched};
-use crate::patch::Patch;
+use crate::model::{Body, Group, Model, Touched};
+use crate::patch::{LampPatch, Patch, Place};
 use crate::screen::{Screen, Show};
 use crate::state;
 use crate::studio::{Asked, Found, Progress, Studio};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
+use glam::Vec3;
+use lampyris::Rgb;
+use lampyris::light::Light;
 use lampyris::output::ToneCurve;
-use lampyris::scene::Scene;
+use lampyris::scene::{Edit, Scene};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, Sender};
+
+/// The group of lamps that were added.
+const ADDED: &str = "added";
 
 /// What happens at a desk.
 pub(crate) enum Event {
@@ -335,11 +342,139 @@ impl Desk {
                 Ok(false)
             }
             Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
+            Do::Add { lamp } => {
+                let new: NewLamp = serde_json::from_value(*lamp).map_err(|e| e.to_string())?;
+                self.in_gesture("Add a lamp", |desk| {
+                    let light = new.light(desk.model.lamps.len(), desk.down())?;
+                    desk.add(seq, light, None)
+                })
+            }
+            Do::Copy { lamps, count, step } => {
+                self.in_gesture("Copy", |desk| desk.copy(seq, &lamps, count, step))
+            }
+            Do::Remove { lamps } => {
+                let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
+                let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
+                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }))
+            }
+            Do::Look { id, name, what, .. } => self.look(seq, id, name, &what),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
-            Do::Add { .. } | Do::Copy { .. } | Do::Remove { .. } | Do::Look { .. } | Do::Save { .. } => {
-                Err("this desk cannot do that".into())
+            Do::Save { .. } => Err("this desk cannot do that".into()),
+        }
+    }
+
+    /// Does something in the gesture at hand, or in one of its own.
+    fn in_gesture<R>(&mut self, label: &str, done: impl FnOnce(&mut Desk) -> R) -> R {
+        let alone = self.gesture.is_none();
+        if alone {
+            let label = label.to_owned();
+            self.gesture = Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
+        }
+        let result = done(self);
+        if alone {
+            self.end_gesture();
+        }
+        result
+    }
+
+    /// A lamp more, of the next number, in a group. Undo takes it away, its number stays.
+    fn add(&mut self, seq: u32, light: Light, group: Option<u32>) -> Result<bool, String> {
+        let scene = self.scene.as_mut().ok_or("the scene is not there yet")?;
+        let (number, id) = (scene.lights.len() as u32, self.model.lamps.len() as u32);
+        let edit = Edit::AddLight { light: light.clone() };
+        scene.apply(&edit).map_err(|e| e.to_string())?;
+        let emitter = adding::enter(scene, number);
+        let known = self.model.groups.iter().position(|own| own.name == ADDED && !own.gone);
+        let group = group.or(known.map(|at| at as u32)).unwrap_or_else(|| {
+            self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: false });
+            self.model.groups.len() as u32 - 1
+        });
+        self.model.lamps.push(adding::lamp(number, &light, emitter, group));
+        self.studio.edit(vec![edit], seq);
+        let there = LampPatch { gone: Some(false), ..LampPatch::default() };
+        self.edit(seq, Patch { lamps: [(id, there)].into(), ..Patch::default() })?;
+        if let Some(gesture) = &mut self.gesture {
+            gesture.inverse.lamps.entry(id).or_default().gone = Some(true);
+        }
+        let touched = Touched { groups: [group].into(), ..Touched::default() };
+        let patch = self.scene.as_ref().map(|scene| state::of(&self.model, scene, &touched));
+        self.tell_patch(json!(patch));
+        Ok(true)
+    }
+
+    fn copy(&mut self, seq: u32, lamps: &[u32], count: u32, step: Vec3) -> Result<bool, String> {
+        for id in lamps {
+            let own =
+                self.model.lamps.get(*id as usize).ok_or_else(|| format!("there is no lamp {id}"))?.clone();
+            let Body::Light(_, file) = &own.body else {
+                return Err(format!(
+                    "{} is part of the building; only lamps that are no surfaces can be copied",
+                    own.name
+                ));
+            };
+            for number in 1..=count {
+                let by = step * number as f32;
+                let shift = |p: Option<Vec3>| p.map(|p| p + by);
+                let place = Place {
+                    position: shift(own.place.position),
+                    aim: shift(own.place.aim),
+                    ..own.place.clone()
+                };
+                let kind = lit_at(file, &place);
+                let light = Light::new(format!("{} {}", own.name, number + 1), kind);
+                self.add(seq, light, Some(own.group))?;
+                let id = self.model.lamps.len() as u32 - 1;
+                let like = LampPatch { level: Some(own.level), on: Some(own.on), ..LampPatch::default() };
+                self.edit(seq, Patch { lamps: [(id, like)].into(), ..Patch::default() })?;
             }
         }
+        Ok(true)
+    }
+
+    /// Looks: what all faders stand at.
+    fn look(&mut self, seq: u32, id: Option<u32>, name: Option<String>, what: &str) -> Result<bool, String> {
+        let looks = &self.model.notes.looks;
+        let known = |id: Option<u32>| id.filter(|id| looks.contains_key(id)).ok_or("there is no such look");
+        let named =
+            |id: u32| looks.get(&id).and_then(|look| look["name"].as_str()).unwrap_or_default().to_owned();
+        let set = |id: u32, look: Option<Value>| Patch { looks: [(id, look)].into(), ..Patch::default() };
+        let (label, patch) = match what {
+            "store" => {
+                let id = looks.keys().next_back().map_or(0, |last| last + 1);
+                let name = name.unwrap_or_else(|| format!("look {}", id + 1));
+                (
+                    format!("Store {name}"),
+                    set(id, Some(json!({"name": name, "patch": state::faders(&self.model)}))),
+                )
+            }
+            "update" => {
+                let id = known(id)?;
+                let look = json!({"name": named(id), "patch": state::faders(&self.model)});
+                (format!("Update {}", named(id)), set(id, Some(look)))
+            }
+            "rename" => {
+                let id = known(id)?;
+                let mut look = looks[&id].clone();
+                look["name"] = name.ok_or("need a name")?.into();
+                (format!("Rename {}", named(id)), set(id, Some(look)))
+            }
+            "remove" => {
+                let id = known(id)?;
+                (format!("Remove {}", named(id)), set(id, None))
+            }
+            "recall" => {
+                let id = known(id)?;
+                let patch = serde_json::from_value(looks[&id]["patch"].clone()).map_err(|e| e.to_string())?;
+                (named(id), patch)
+            }
+            _ => return Err("need store, recall, update, rename or remove".into()),
+        };
+        self.in_gesture(&label, |desk| desk.edit(seq, patch))
+    }
+
+    /// The way things fall.
+    fn down(&self) -> Vec3 {
+        self.scene.as_ref().and_then(|scene| scene.up).map_or(Vec3::NEG_Z, |up| -up)
     }
 
     /// An edit of the gesture at hand.
@@ -366,8 +501,7 @@ impl Desk {
         let before = (scene.clone(), ());
         let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
             let mixed = mix(&self.model, scene)?;
-            let traces = !traced.is_empty()
-                || mixed.iter().any(|edit| !matches!(edit, lampyris::scene::Edit::Mix { .. }));
+            let traces = !traced.is_empty() || mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
             traced.extend(mixed);
             Ok((traced, traces))
         });

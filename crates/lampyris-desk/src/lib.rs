@@ -5,6 +5,7 @@
 //! another: the desk's inbox takes everything, the studio's work and the screen's light keep the latest, and a client who
 //! does not read is let go. What is said between them and a page is in docs/wire.md.
 
+mod adding;
 mod client;
 mod color;
 mod desk;

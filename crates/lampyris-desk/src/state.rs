@@ -1,7 +1,8 @@
 //! What all are told of the model, as docs/wire.md says.
 
-use crate::model::{Body, Coating, Lamp, Model, Thing, Touched};
-use crate::patch::Patch;
+use crate::color::Color;
+use crate::model::{Body, Coating, Group, Lamp, Model, Thing, Touched};
+use crate::patch::{ColorPatch, GroupPatch, LampPatch, Patch};
 use crate::studio::{Found, Progress};
 use glam::Vec3;
 use lampyris::Rgb;
@@ -211,4 +212,25 @@ pub(crate) fn white(value: &Value) -> Result<Rgb, String> {
         .unwrap_or_default();
     let light = Rgb::from_xy_e(c.x, c.y, 1.0).map(|c| 1.0 / c.max(0.02));
     Ok(light * (1.0 / light.luminance()))
+}
+
+/// What all faders stand at.
+pub(crate) fn faders(model: &Model) -> Patch {
+    let lamp = |own: &Lamp| {
+        let Color { mode, kelvin, tint, rgb, xy } = own.color;
+        let color = ColorPatch {
+            mode: Some(mode),
+            kelvin: Some(kelvin),
+            tint: Some(tint),
+            rgb: Some(rgb),
+            xy: Some(xy),
+        };
+        LampPatch { on: Some(own.on), level: Some(own.level), color: Some(color), ..LampPatch::default() }
+    };
+    let lamps = (0..).zip(&model.lamps).filter(|(_, own)| !own.gone).map(|(id, own)| (id, lamp(own)));
+    let groups = (0..).zip(&model.groups).filter(|(_, own)| !own.gone);
+    let group =
+        |own: &Group| GroupPatch { on: Some(own.on), level: Some(own.level), ..GroupPatch::default() };
+    let groups = groups.map(|(id, own)| (id, group(own)));
+    Patch { lamps: lamps.collect(), groups: groups.collect(), ..Patch::default() }
 }

@@ -10,7 +10,7 @@ use crate::wire::{Kind, Look};
 use glam::Vec3;
 use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
-use lampyris::scene::{Camera, Edit, Scene, View, find_view};
+use lampyris::scene::{Camera, Edit, Scene, View, find_view, upward};
 use lampyris::session::Session;
 use lampyris::world::World;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -236,7 +236,7 @@ fn bare(scene: &Scene) -> Scene {
         materials: mesh.materials.first().copied().into_iter().collect(),
         ..Default::default()
     });
-    Scene { meshes: meshes.collect(), images: Vec::new(), ..scene.clone() }
+    Scene { meshes: meshes.collect(), images: Vec::new(), up: Some(upward(scene)), ..scene.clone() }
 }
 
 pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
@@ -388,10 +388,5 @@ impl Stage {
             material: surface.material,
             emitter: world.emitter_of(&surface),
         })
-    }
-
-    /// The settings of batches.
-    pub(crate) fn settings(&self) -> &Settings {
-        &self.settings
     }
 }
