@@ -228,3 +228,32 @@ impl Wide for Mix<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eye::Rect;
+    use crate::settings::Settings;
+
+    /// Whoever adds a batch copies the layers that it is for, as long as a still holds them, and no others.
+    #[test]
+    fn only_what_changes_is_copied() {
+        let mut frame = Frame::new(4, 4, &[], &Settings::default(), 2);
+        let rect = Rect { x: 0, y: 0, width: 4, height: 4 };
+        let mut batch = |frame: &mut Frame, layer: usize| {
+            frame.add(0, &[(layer, vec![(rect, vec![vec![Rgb::WHITE; 16]])])]);
+            frame.count(layer, 0);
+        };
+        (0..2).for_each(|layer| batch(&mut frame, layer));
+        let place = |frame: &Frame, layer: usize| Arc::as_ptr(&frame.layers[layer].planes[0]);
+        let before = [0, 1].map(|layer| place(&frame, layer));
+        let still = frame.still();
+        batch(&mut frame, 1);
+        assert_eq!([0, 1].map(|layer| place(&frame, layer) == before[layer]), [true, false]);
+        assert_eq!(still.layer(1), Some(vec![Rgb::WHITE; 16]));
+        drop(still);
+        let before = place(&frame, 1);
+        batch(&mut frame, 1);
+        assert_eq!(place(&frame, 1), before);
+    }
+}
