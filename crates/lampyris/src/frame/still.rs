@@ -240,7 +240,7 @@ mod tests {
     fn only_what_changes_is_copied() {
         let mut frame = Frame::new(4, 4, &[], &Settings::default(), 2);
         let rect = Rect { x: 0, y: 0, width: 4, height: 4 };
-        let mut batch = |frame: &mut Frame, layer: usize| {
+        let batch = |frame: &mut Frame, layer: usize| {
             frame.add(0, &[(layer, vec![(rect, vec![vec![Rgb::WHITE; 16]])])]);
             frame.count(layer, 0);
         };
