@@ -7,7 +7,7 @@
 //! colours of groups start nothing ([`Edit::Mix`]).
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
-use crate::cpu::Cpu;
+use crate::cpu::{Cpu, GoOn};
 use crate::error::{Error, Result};
 use crate::eye::Eye;
 use crate::frame::Frame;
@@ -129,20 +129,36 @@ impl Session {
     /// # Errors
     /// Those of the back end.
     pub fn step(&mut self) -> Result<()> {
+        self.step_while(&|| true).map(drop)
+    }
+
+    /// [`Session::step`] as long as `go_on` says, which threads ask before every tile; false if the batch was given up. What
+    /// was done of it is not lost: the next steps complete it, for all light groups that are not begun anew meanwhile, and
+    /// the picture has the bits that it would have had. Until then the first rows of those groups have the batch, and no
+    /// count and no error knows of it.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn step_while(&mut self, go_on: GoOn<'_>) -> Result<bool> {
         let (index, turn) = (self.frame()?.batches(), self.turn);
-        self.turn = (turn + 1) % self.settings.window;
-        if index == 0 && turn > 0 {
-            return self.cpu.show(Batch { index: turn });
+        let done = if index == 0 && turn > 0 {
+            self.cpu.show_while(Batch { index: turn }, go_on)?
+        } else {
+            self.cpu.add_while(Batch { index }, go_on)?
+        };
+        if done {
+            self.turn = (turn + 1) % self.settings.window;
         }
-        self.cpu.add(Batch { index })
+        Ok(done)
     }
 
     /// Adds batches until all light groups have `batches` of them. The picture is then that of so many batches, and nothing
-    /// stands in for any of them, whatever was done before.
+    /// stands in for any of them, whatever was done before. Groups that have as many and part of another begin anew.
     ///
     /// # Errors
     /// As [`Session::step`].
     pub fn settle(&mut self, batches: u32) -> Result<()> {
+        self.cpu.forget_begun(batches)?;
         while self.frame()?.batches() < batches {
             self.turn = 0;
             self.step()?;
