@@ -24,7 +24,7 @@ pub(crate) fn choose(args: &ViewArgs, world: &World, aspect: f32) -> Result<Chos
             (Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }, None)
         }
         (_, _, Some(name)) => (named(scene, name)?, None),
-        _ => match scene.cameras.first() {
+        _ => match scene.view.as_ref().or(scene.cameras.first()) {
             Some(camera) => (camera.clone(), None),
             None => {
                 let found = find_view(scene, &|ray| world.tracer().closest(ray), aspect);
