@@ -283,3 +283,14 @@ fn what_cannot_be_is_refused_in_words() {
     let error = Document::read(Path::new("a"), many.as_bytes(), &few).expect_err("too many");
     assert!(matches!(error, Error::OverLimit { limit: 10, .. }), "{error}");
 }
+
+/// The example of the manual is one.
+#[test]
+fn the_manual_shows_a_document() {
+    let manual = include_str!("../../../docs/formats.md");
+    let section = manual.split("## Saved edits").nth(1).expect("a section");
+    let text = section.split("```json\n").nth(1).and_then(|t| t.split("```").next()).expect("an example");
+    let document = read(text).expect("a sound document");
+    assert_eq!((document.layers, document.scene.file.as_str()), (Some(16), "office.mgf"));
+    assert!(document.apply(named()).1.len() > 5, "our stage is no office");
+}
