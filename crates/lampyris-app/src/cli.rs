@@ -342,7 +342,7 @@ impl EstimateArgs {
 /// Which scene, and what its file may ask for.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file
+    /// Scene file, or saved edits of one, .lampyris.json
     #[arg(value_name = "SCENE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -391,7 +391,7 @@ pub(crate) struct LimitArgs {
     /// Bytes of JSON in a glTF file
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_json_bytes: Option<u64>,
-    /// Nodes, meshes, accessors of a glTF file
+    /// Nodes, meshes, accessors of a glTF file; lists and objects of saved edits
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_nodes: Option<u64>,
     /// Nodes within each other

@@ -32,9 +32,9 @@ pub(crate) fn view(args: ViewerArgs) -> Result<ExitCode, Failure> {
         });
     };
     let open = || {
-        let loaded = scene_file::load(&args.scene, args.quiet)?;
-        let camera = viewing::asked(&args.view, &loaded.scene)?;
-        Ok::<_, Failure>(Opened { scene: loaded.scene, camera, warnings: loaded.warnings })
+        let document = scene_file::load(&args.scene, args.quiet)?;
+        let camera = viewing::asked(&args.view, &document.scene)?;
+        Ok::<_, Failure>(Opened { document, camera })
     };
     lampyris_desk::serve(options, ready, open)?;
     Ok(if interrupt::asked() { ExitCode::from(INTERRUPTED) } else { ExitCode::SUCCESS })

@@ -18,13 +18,14 @@ const FOV_Y: f32 = 60.0;
 /// The camera for a picture of that aspect (width / height).
 pub(crate) fn choose(args: &ViewArgs, world: &World, aspect: f32) -> Result<Chosen, Failure> {
     let scene = world.scene();
-    let (camera, seen) = match asked(args, scene)?.or_else(|| scene.cameras.first().cloned()) {
-        Some(camera) => (camera, None),
-        None => {
-            let found = find_view(scene, &|ray| world.tracer().closest(ray), aspect);
-            (found.camera, Some(found.seen))
-        }
-    };
+    let (camera, seen) =
+        match asked(args, scene)?.or_else(|| scene.view.clone()).or_else(|| scene.cameras.first().cloned()) {
+            Some(camera) => (camera, None),
+            None => {
+                let found = find_view(scene, &|ray| world.tracer().closest(ray), aspect);
+                (found.camera, Some(found.seen))
+            }
+        };
     Ok(Chosen { camera: turned(args, camera)?, seen })
 }
 
