@@ -99,7 +99,9 @@ pub(crate) fn enter(scene: &mut Scene, light: u32) -> u32 {
 
 /// The lamp that a light more is.
 pub(crate) fn lamp(light: u32, own: &Light, emitter: u32, group: u32) -> Lamp {
+    let place = place_of(&own.kind);
     Lamp {
+        file_name: own.name.clone(),
         name: own.name.clone(),
         body: Body::Light(light, own.kind.clone()),
         on: true,
@@ -109,7 +111,9 @@ pub(crate) fn lamp(light: u32, own: &Light, emitter: u32, group: u32) -> Lamp {
         parked: false,
         gone: false,
         own: true,
-        place: place_of(&own.kind),
+        file_place: place.clone(),
+        file_group: group,
+        place,
         flux: Some(flux_of(&own.kind)),
         emitters: vec![(emitter, Rgb::WHITE)],
         shining: Rgb::WHITE,

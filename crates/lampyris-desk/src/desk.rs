@@ -1,31 +1,31 @@
 //! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
 //! the studio's, pictures the screen's.
 
-use crate::adding::{self, NewLamp};
+mod editing;
+
+use crate::adding::NewLamp;
 use crate::door::{Door, Role};
-use crate::edits::{edits, lit_at};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
-use crate::mixer::mix;
-use crate::model::{Body, Group, Model, Touched};
-use crate::patch::{LampPatch, Patch, Place};
+use crate::model::Model;
+use crate::patch::{LampPatch, Patch};
+use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
 use crate::studio::{Asked, Found, Progress, Studio};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
-use glam::Vec3;
 use lampyris::Rgb;
-use lampyris::light::Light;
 use lampyris::output::ToneCurve;
-use lampyris::scene::{Edit, Scene};
+use lampyris::scene::Scene;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
 
-/// The group of lamps that were added.
-const ADDED: &str = "added";
+/// How long edits wait to be saved.
+const SOON: Duration = Duration::from_millis(400);
 
 /// What happens at a desk.
 pub(crate) enum Event {
@@ -35,10 +35,6 @@ pub(crate) enum Event {
         scene: Box<Scene>,
         look: Look,
         warnings: Vec<String>,
-    },
-    /// It is not, or no more.
-    Failed {
-        why: String,
     },
     Joined {
         client: u64,
@@ -61,6 +57,12 @@ pub(crate) enum Event {
     Metered {
         ev: f32,
     },
+    /// Edits were written down, or could not be.
+    Saved {
+        saved: Value,
+    },
+    /// Nothing happened for a while.
+    Idle,
     /// The renderer did not follow an edit.
     Refused {
         why: String,
@@ -98,6 +100,9 @@ pub(crate) struct Desk {
     scene: Option<Scene>,
     warnings: Vec<String>,
     look: Option<Look>,
+    saved: Value,
+    /// Since when there is something to save.
+    unsaved: Option<Instant>,
     cameras: u32,
     history: History,
     gesture: Option<Gesture>,
@@ -106,7 +111,6 @@ pub(crate) struct Desk {
     metered: bool,
     white: Value,
     progress: Option<Progress>,
-    failed: Option<String>,
     clients: BTreeMap<u64, Role>,
     editor: Option<u64>,
     /// The last message of the editor that was applied.
@@ -140,6 +144,8 @@ impl Desk {
             scene: None,
             warnings: Vec::new(),
             look: None,
+            saved: json!({"state": "clean", "file": null, "why": null}),
+            unsaved: None,
             cameras: 0,
             history: History::new()?,
             gesture: None,
@@ -148,7 +154,6 @@ impl Desk {
             metered: false,
             white: Value::Null,
             progress: None,
-            failed: None,
             clients: BTreeMap::new(),
             editor: None,
             seq: 0,
@@ -158,16 +163,13 @@ impl Desk {
 
     /// Does what comes, until the end.
     pub(crate) fn run(mut self, events: &Receiver<Event>) {
-        while let Ok(event) = events.recv() {
+        while let Some(event) = self.next(events) {
             match event {
                 Event::Opened { model, scene, look, warnings } => {
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
                     self.look = Some(look);
+                    self.screen.mix(self.colors(), 0.0);
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
-                }
-                Event::Failed { why } => {
-                    self.hub.tell_all(&json!({"is": "event", "what": "broken", "why": why}));
-                    self.failed = Some(why);
                 }
                 Event::Joined { client, role } => self.join(client, role),
                 Event::Left { client } => {
@@ -191,6 +193,14 @@ impl Desk {
                     (self.show.ev, self.metered) = (Some(ev), true);
                     self.tell_patch(json!({"display": self.display()}));
                 }
+                Event::Saved { saved } => {
+                    self.saved = saved;
+                    if self.unsaved.is_some() && self.saved["state"] == "saved" {
+                        self.saved["state"] = "waiting".into();
+                    }
+                    self.tell_patch(json!({"saved": self.saved}));
+                }
+                Event::Idle => self.save(None),
                 Event::Refused { why } => {
                     if let Some(editor) = self.editor {
                         self.hub.tell(editor, &json!({"is": "refused", "seq": self.seq, "why": why}));
@@ -199,9 +209,47 @@ impl Desk {
                 Event::End => break,
             }
         }
+        self.end_gesture();
+        self.save(None);
         self.hub.tell_all(&json!({"is": "event", "what": "bye"}));
         self.studio.end();
         self.screen.end();
+    }
+
+    /// What happens next; nothing for a while, where edits wait to be saved.
+    fn next(&self, events: &Receiver<Event>) -> Option<Event> {
+        let Some(since) = self.unsaved else { return events.recv().ok() };
+        match events.recv_timeout(SOON.saturating_sub(since.elapsed())) {
+            Ok(event) => Some(event),
+            Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
+            Err(RecvTimeoutError::Disconnected) => None,
+        }
+    }
+
+    /// Has the edits written down, if there are some, or as a version of a name.
+    fn save(&mut self, name: Option<String>) {
+        if self.unsaved.take().is_some() || name.is_some() {
+            self.studio.save(saving::kept(&self.model), name);
+        }
+    }
+
+    /// Level and colour of each layer as it is shown.
+    fn colors(&self) -> Vec<Rgb> {
+        let Some(scene) = &self.scene else { return Vec::new() };
+        let mut colors: Vec<Rgb> = scene.groups.iter().map(|group| group.color).collect();
+        if !self.solo.is_empty() {
+            let lamps = self.solo.iter().filter_map(|id| self.model.lamps.get(*id as usize));
+            let emitters = lamps.flat_map(|lamp| &lamp.emitters);
+            let layers: BTreeSet<u16> = emitters
+                .filter_map(|(k, _)| scene.reference.shares.get(*k as usize))
+                .map(|share| share.group)
+                .collect();
+            (0..)
+                .zip(&mut colors)
+                .filter(|(layer, _)| !layers.contains(layer))
+                .for_each(|(_, color)| *color = Rgb::BLACK);
+        }
+        colors
     }
 
     fn join(&mut self, client: u64, role: Role) {
@@ -215,9 +263,6 @@ impl Desk {
         self.hub.tell(client, &hello);
         if self.scene.is_some() {
             self.tell_state(client);
-        }
-        if let Some(why) = &self.failed {
-            self.hub.tell(client, &json!({"is": "event", "what": "broken", "why": why}));
         }
     }
 
@@ -297,24 +342,15 @@ impl Desk {
                 Ok(false)
             }
             Do::Set { patch } => {
-                let alone = self.gesture.is_none();
-                if alone {
-                    let label = state::label(&self.model, &patch);
-                    self.gesture =
-                        Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
-                }
-                let done = self.edit(seq, *patch);
-                if alone {
-                    self.end_gesture();
-                }
-                done
+                let label = state::label(&self.model, &patch);
+                self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
             }
             Do::End => {
                 self.end_gesture();
                 Ok(false)
             }
             Do::Cancel => match self.gesture.take() {
-                Some(gesture) => self.carry_out(seq, &gesture.inverse).map(|(_, traced)| traced),
+                Some(gesture) => self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced),
                 None => Ok(false),
             },
             Do::Undo | Do::Redo => {
@@ -327,12 +363,14 @@ impl Desk {
                     );
                 };
                 let patch = if undo { &gesture.inverse } else { &gesture.forward };
-                let (_, traced) = self.carry_out(seq, patch)?;
+                let (_, traced) = self.carry_out(seq, patch, 0.0)?;
                 self.tell_history();
                 Ok(traced)
             }
             Do::Solo { lamps } => {
                 self.solo = lamps.into_iter().collect();
+                self.screen.mix(self.colors(), 0.0);
+                self.tell_patch(json!({"solo": self.solo}));
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(&patch).map(|()| false),
@@ -355,179 +393,16 @@ impl Desk {
             Do::Remove { lamps } => {
                 let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
                 let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
-                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }))
+                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0))
             }
-            Do::Look { id, name, what, .. } => self.look(seq, id, name, &what),
+            Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
-            Do::Save { .. } => Err("this desk cannot do that".into()),
-        }
-    }
-
-    /// Does something in the gesture at hand, or in one of its own.
-    fn in_gesture<R>(&mut self, label: &str, done: impl FnOnce(&mut Desk) -> R) -> R {
-        let alone = self.gesture.is_none();
-        if alone {
-            let label = label.to_owned();
-            self.gesture = Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
-        }
-        let result = done(self);
-        if alone {
-            self.end_gesture();
-        }
-        result
-    }
-
-    /// A lamp more, of the next number, in a group. Undo takes it away, its number stays.
-    fn add(&mut self, seq: u32, light: Light, group: Option<u32>) -> Result<bool, String> {
-        let scene = self.scene.as_mut().ok_or("the scene is not there yet")?;
-        let (number, id) = (scene.lights.len() as u32, self.model.lamps.len() as u32);
-        let edit = Edit::AddLight { light: light.clone() };
-        scene.apply(&edit).map_err(|e| e.to_string())?;
-        let emitter = adding::enter(scene, number);
-        let known = self.model.groups.iter().position(|own| own.name == ADDED && !own.gone);
-        let group = group.or(known.map(|at| at as u32)).unwrap_or_else(|| {
-            self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: false });
-            self.model.groups.len() as u32 - 1
-        });
-        self.model.lamps.push(adding::lamp(number, &light, emitter, group));
-        self.studio.edit(vec![edit], seq);
-        let there = LampPatch { gone: Some(false), ..LampPatch::default() };
-        self.edit(seq, Patch { lamps: [(id, there)].into(), ..Patch::default() })?;
-        if let Some(gesture) = &mut self.gesture {
-            gesture.inverse.lamps.entry(id).or_default().gone = Some(true);
-        }
-        let touched = Touched { groups: [group].into(), ..Touched::default() };
-        let patch = self.scene.as_ref().map(|scene| state::of(&self.model, scene, &touched));
-        self.tell_patch(json!(patch));
-        Ok(true)
-    }
-
-    fn copy(&mut self, seq: u32, lamps: &[u32], count: u32, step: Vec3) -> Result<bool, String> {
-        for id in lamps {
-            let own =
-                self.model.lamps.get(*id as usize).ok_or_else(|| format!("there is no lamp {id}"))?.clone();
-            let Body::Light(_, file) = &own.body else {
-                return Err(format!(
-                    "{} is part of the building; only lamps that are no surfaces can be copied",
-                    own.name
-                ));
-            };
-            for number in 1..=count {
-                let by = step * number as f32;
-                let shift = |p: Option<Vec3>| p.map(|p| p + by);
-                let place = Place {
-                    position: shift(own.place.position),
-                    aim: shift(own.place.aim),
-                    ..own.place.clone()
-                };
-                let kind = lit_at(file, &place);
-                let light = Light::new(format!("{} {}", own.name, number + 1), kind);
-                self.add(seq, light, Some(own.group))?;
-                let id = self.model.lamps.len() as u32 - 1;
-                let like = LampPatch { level: Some(own.level), on: Some(own.on), ..LampPatch::default() };
-                self.edit(seq, Patch { lamps: [(id, like)].into(), ..Patch::default() })?;
+            Do::Save { name } => {
+                self.unsaved.get_or_insert_with(Instant::now);
+                self.save(name);
+                Ok(false)
             }
         }
-        Ok(true)
-    }
-
-    /// Looks: what all faders stand at.
-    fn look(&mut self, seq: u32, id: Option<u32>, name: Option<String>, what: &str) -> Result<bool, String> {
-        let looks = &self.model.notes.looks;
-        let known = |id: Option<u32>| id.filter(|id| looks.contains_key(id)).ok_or("there is no such look");
-        let named =
-            |id: u32| looks.get(&id).and_then(|look| look["name"].as_str()).unwrap_or_default().to_owned();
-        let set = |id: u32, look: Option<Value>| Patch { looks: [(id, look)].into(), ..Patch::default() };
-        let (label, patch) = match what {
-            "store" => {
-                let id = looks.keys().next_back().map_or(0, |last| last + 1);
-                let name = name.unwrap_or_else(|| format!("look {}", id + 1));
-                (
-                    format!("Store {name}"),
-                    set(id, Some(json!({"name": name, "patch": state::faders(&self.model)}))),
-                )
-            }
-            "update" => {
-                let id = known(id)?;
-                let look = json!({"name": named(id), "patch": state::faders(&self.model)});
-                (format!("Update {}", named(id)), set(id, Some(look)))
-            }
-            "rename" => {
-                let id = known(id)?;
-                let mut look = looks[&id].clone();
-                look["name"] = name.ok_or("need a name")?.into();
-                (format!("Rename {}", named(id)), set(id, Some(look)))
-            }
-            "remove" => {
-                let id = known(id)?;
-                (format!("Remove {}", named(id)), set(id, None))
-            }
-            "recall" => {
-                let id = known(id)?;
-                let patch = serde_json::from_value(looks[&id]["patch"].clone()).map_err(|e| e.to_string())?;
-                (named(id), patch)
-            }
-            _ => return Err("need store, recall, update, rename or remove".into()),
-        };
-        self.in_gesture(&label, |desk| desk.edit(seq, patch))
-    }
-
-    /// The way things fall.
-    fn down(&self) -> Vec3 {
-        self.scene.as_ref().and_then(|scene| scene.up).map_or(Vec3::NEG_Z, |up| -up)
-    }
-
-    /// An edit of the gesture at hand.
-    fn edit(&mut self, seq: u32, patch: Patch) -> Result<bool, String> {
-        let (mut inverse, traced) = self.carry_out(seq, &patch)?;
-        if let Some(gesture) = &mut self.gesture {
-            // Forth to the latest, back to the first.
-            let mut forward = patch;
-            forward.over(std::mem::take(&mut gesture.forward));
-            gesture.forward = forward;
-            let mut first = std::mem::take(&mut gesture.inverse);
-            first.over(std::mem::take(&mut inverse));
-            gesture.inverse = first;
-        }
-        Ok(traced)
-    }
-
-    /// Does what a patch says, tells everybody, and returns the patch that takes it back and whether it asks for rays; or
-    /// nothing is changed.
-    fn carry_out(&mut self, seq: u32, patch: &Patch) -> Result<(Patch, bool), String> {
-        let Some(scene) = &mut self.scene else { return Err("the scene is not there yet".into()) };
-        let inverse = self.model.apply(patch)?;
-        let touched = Touched::of(patch);
-        let before = (scene.clone(), ());
-        let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
-            let mixed = mix(&self.model, scene)?;
-            let traces = !traced.is_empty() || mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
-            traced.extend(mixed);
-            Ok((traced, traces))
-        });
-        match done {
-            Ok((edits, traced)) => {
-                self.studio.edit(edits, seq);
-                let patch = state::of(&self.model, scene, &touched);
-                self.hub.tell_all(&json!({"is": "patch", "seq": seq, "patch": patch}));
-                Ok((inverse, traced))
-            }
-            Err(why) => {
-                *scene = before.0;
-                self.model.apply(&inverse)?;
-                Err(why)
-            }
-        }
-    }
-
-    fn end_gesture(&mut self) {
-        let Some(gesture) = self.gesture.take().filter(|gesture| gesture.forward != gesture.inverse) else {
-            return;
-        };
-        if let Err(error) = self.history.push(&gesture) {
-            self.hub.tell_all(&json!({"is": "event", "what": "unlogged", "why": error.to_string()}));
-        }
-        self.tell_history();
     }
 
     fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
@@ -598,7 +473,7 @@ impl Desk {
         whole["display"] = self.display();
         whole["solo"] = json!(self.solo);
         whole["history"] = self.history_state();
-        whole["saved"] = json!({"state": "clean", "file": null, "why": null});
+        whole["saved"] = self.saved.clone();
         whole["editor"] = self.editor_for(client);
         whole["status"] = self.status();
         whole["camera"] = json!(self.look);

@@ -14,7 +14,7 @@ use subtle::ConstantTimeEq;
 /// What a link allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Role {
+pub(crate) enum Role {
     /// Everything, one at a time.
     Edit,
     /// To look on.

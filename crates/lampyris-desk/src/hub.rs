@@ -18,7 +18,6 @@ pub(crate) const CLIENTS: usize = 256;
 pub(crate) struct Shown {
     /// Head and picture.
     pub(crate) bytes: Vec<u8>,
-    pub(crate) number: u32,
     pub(crate) camera: Arc<CameraText>,
 }
 

@@ -20,6 +20,8 @@ mod model;
 mod opening;
 mod page;
 mod patch;
+mod saver;
+mod saving;
 mod screen;
 mod state;
 mod studio;

@@ -2,7 +2,8 @@
 //! that is for the renderer, [`crate::mixer`] and [`crate::edits`] say.
 
 use crate::color::Color;
-use crate::patch::{GroupPatch, LampPatch, MaterialPatch, Patch, Place, ThingPatch, swap};
+use crate::opening;
+use crate::patch::{GroupPatch, LampPatch, MaterialPatch, Mode, Patch, Place, ThingPatch, swap};
 use crate::wire;
 use glam::{Affine3A, Quat, Vec3};
 use lampyris::Rgb;
@@ -34,6 +35,8 @@ pub(crate) struct Notes {
 #[derive(Clone, Debug)]
 pub(crate) struct Lamp {
     pub(crate) name: String,
+    /// What the file calls it, with a number where others are called so too.
+    pub(crate) file_name: String,
     pub(crate) body: Body,
     pub(crate) on: bool,
     pub(crate) level: f32,
@@ -44,6 +47,9 @@ pub(crate) struct Lamp {
     /// Added here.
     pub(crate) own: bool,
     pub(crate) place: Place,
+    /// Where the file has it.
+    pub(crate) file_place: Place,
+    pub(crate) file_group: u32,
     /// At level 1 [lm]; infinite lights have none.
     pub(crate) flux: Option<f32>,
     /// Its numbers in [`lampyris::scene::Reference`], each with the colour of its light group when the scene was opened.
@@ -224,7 +230,16 @@ struct Copies {
 }
 
 impl Lamp {
-    fn apply(&mut self, patch: &LampPatch, groups: u32) -> Result<LampPatch, String> {
+    /// Whether it is otherwise than in the file.
+    pub(crate) fn is_touched(&self) -> bool {
+        let as_it_was =
+            self.on && self.level == 1.0 && self.color.mode == Mode::File && !self.parked && !self.gone;
+        let there =
+            self.place == self.file_place && self.group == self.file_group && self.name == self.file_name;
+        self.own || !as_it_was || !there
+    }
+
+    pub(crate) fn apply(&mut self, patch: &LampPatch, groups: u32) -> Result<LampPatch, String> {
         if let Some(name) = &patch.name {
             wire::name(name.clone())?;
         }
@@ -267,6 +282,11 @@ impl Group {
 }
 
 impl Thing {
+    /// Whether it is otherwise than in the file.
+    pub(crate) fn is_touched(&self) -> bool {
+        self.hidden || !self.locked || self.place != opening::surface_place(self.bounds)
+    }
+
     fn apply(&mut self, patch: &ThingPatch) -> Result<ThingPatch, String> {
         let place = patch.place.as_ref().map(|patch| placed(&mut self.place, patch)).transpose()?;
         Ok(ThingPatch {

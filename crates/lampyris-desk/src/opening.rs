@@ -119,6 +119,7 @@ fn lamp(world: &World, things: &[Thing], bond: Bond, name: String, group: u32, n
         _ => true,
     };
     Lamp {
+        file_name: name.clone(),
         name,
         body,
         on,
@@ -128,6 +129,8 @@ fn lamp(world: &World, things: &[Thing], bond: Bond, name: String, group: u32, n
         parked: false,
         gone: false,
         own: false,
+        file_place: place.clone(),
+        file_group: group,
         place,
         flux: finite.then_some(luminance),
         emitters,
@@ -173,7 +176,7 @@ fn thing(scene: &Scene, instance: &Instance) -> Thing {
 }
 
 /// The place of what has surfaces: about the middle of its box.
-fn surface_place([low, high]: [Vec3; 2]) -> Place {
+pub(crate) fn surface_place([low, high]: [Vec3; 2]) -> Place {
     let position = Some(low + (high - low) * 0.5);
     Place { position, rotation: Some(Quat::IDENTITY), scale: Some(1.0), ..Place::default() }
 }

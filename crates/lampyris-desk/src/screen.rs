@@ -5,16 +5,17 @@ use crate::hub::{CameraText, Hub, Shown};
 use crate::wire::{Head, Kind};
 use jpeg_encoder::{ColorType, SamplingFactor};
 use lampyris::Rgb;
+use lampyris::frame::Still;
 use lampyris::output::{Display, Exposure, Picture, ToneCurve, display};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// The light of a picture, before it is mixed.
 #[derive(Clone, Default)]
 pub(crate) struct Light {
     pub(crate) size: [u32; 2],
-    pub(crate) radiance: Arc<Vec<Rgb>>,
+    pub(crate) still: Option<Arc<Still>>,
     pub(crate) camera: Arc<CameraText>,
     pub(crate) look: Option<Arc<crate::wire::Look>>,
     pub(crate) batches: u32,
@@ -45,6 +46,9 @@ impl Default for Show {
 #[derive(Default)]
 struct Wanted {
     light: Light,
+    /// Level and colour of each layer, and those from which they are faded to.
+    colors: Vec<Rgb>,
+    fade: Option<Fade>,
     show: Show,
     /// The last message of the editor that was applied, and the last that asked for rays.
     seq: u32,
@@ -53,6 +57,28 @@ struct Wanted {
     ended: bool,
     frames: VecDeque<(u32, Frame)>,
     number: u32,
+}
+
+/// From one mix to another.
+struct Fade {
+    from: Vec<Rgb>,
+    began: Instant,
+    lasts: Duration,
+}
+
+impl Wanted {
+    /// The mix at this moment, and whether it is still another one than it will be.
+    fn mix(&mut self) -> (Vec<Rgb>, bool) {
+        let Some(fade) = &self.fade else { return (self.colors.clone(), false) };
+        let passed = fade.began.elapsed().as_secs_f32() / fade.lasts.as_secs_f32().max(1e-3);
+        if passed >= 1.0 {
+            self.fade = None;
+            return (self.colors.clone(), false);
+        }
+        let between = |(to, from): (&Rgb, &Rgb)| *from * (1.0 - passed) + *to * passed;
+        let pairs = self.colors.iter().zip(fade.from.iter().chain(self.colors.iter().skip(fade.from.len())));
+        (pairs.map(between).collect(), true)
+    }
 }
 
 /// A frame that somebody may still ask about.
@@ -86,17 +112,22 @@ impl Screen {
         self.change(|wanted| wanted.show = show);
     }
 
+    /// The layers have other levels and colours, faded to in so many seconds.
+    pub(crate) fn mix(&self, colors: Vec<Rgb>, seconds: f32) {
+        self.change(|wanted| {
+            let (from, _) = wanted.mix();
+            let lasts = Duration::from_secs_f32(seconds.clamp(0.0, 3600.0));
+            wanted.fade = (seconds > 0.0).then(|| Fade { from, began: Instant::now(), lasts });
+            wanted.colors = colors;
+        });
+    }
+
     /// The editor's message of that number was applied; some ask for rays.
     pub(crate) fn applied(&self, seq: u32, traced: bool) {
         self.change(|wanted| {
             wanted.seq = seq;
             wanted.traced = if traced { seq } else { wanted.traced };
         });
-    }
-
-    /// How it is shown, once it was metered.
-    pub(crate) fn shown(&self) -> Show {
-        self.wanted().show
     }
 
     /// The camera and size of a frame that was shown.
@@ -118,9 +149,14 @@ impl Screen {
             if wanted.ended {
                 return;
             }
-            wanted.changed = false;
+            let (colors, fading) = wanted.mix();
+            wanted.changed = fading;
             let (light, mut show) = (wanted.light.clone(), wanted.show);
-            let Some((kind, look)) = light.kind.zip(light.look.clone()) else { continue };
+            let (Some(kind), Some(look), Some(still)) = (light.kind, light.look.clone(), light.still.clone())
+            else {
+                wanted.changed = false;
+                continue;
+            };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
             wanted.number += 1;
@@ -131,13 +167,14 @@ impl Screen {
             }
             drop(wanted);
             let begun = Instant::now();
+            let radiance = still.mix(&colors);
             if show.ev.is_none() {
-                let ev = Exposure::Auto.ev(&light.radiance);
+                let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);
                 self.wanted().show.ev = Some(ev);
                 metered(ev);
             }
-            let Some(picture) = encode(&light, &show, kind) else { continue };
+            let Some(picture) = encode(radiance, light.size, &show, kind) else { continue };
             let lossless = kind == Kind::Final;
             let head = Head {
                 number,
@@ -153,7 +190,11 @@ impl Screen {
                 bytes: begun.elapsed().as_secs_f32(),
             };
             let bytes = [&head.write()[..], &picture].concat();
-            hub.show(Shown { bytes, number, camera: light.camera });
+            hub.show(Shown { bytes, camera: light.camera });
+            // A fade is not shown more often than a display shows it.
+            if fading {
+                std::thread::sleep(Duration::from_millis(25).saturating_sub(begun.elapsed()));
+            }
         }
     }
 
@@ -170,12 +211,10 @@ impl Screen {
 }
 
 /// JPEG while it is not final, then PNG.
-fn encode(light: &Light, show: &Show, kind: Kind) -> Option<Vec<u8>> {
-    let [width, height] = light.size;
-    let radiance = match show.white == Rgb::WHITE {
-        true => light.radiance.to_vec(),
-        false => light.radiance.iter().map(|c| *c * show.white).collect(),
-    };
+fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
+    if show.white != Rgb::WHITE {
+        radiance.iter_mut().for_each(|c| *c *= show.white);
+    }
     let options = Display {
         exposure: Exposure::Ev(show.ev.unwrap_or(0.0)),
         tone: Some(show.tone),

@@ -5,14 +5,19 @@ use crate::desk::{Event, Inbox};
 use crate::error::Result;
 use crate::hub::CameraText;
 use crate::opening;
+use crate::saver::Saver;
+use crate::saving;
 use crate::screen::{Frame, Light, Screen};
 use crate::wire::{Kind, Look};
 use glam::Vec3;
 use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
+use lampyris::document::{self, Document};
 use lampyris::scene::{Camera, Edit, Scene, View, find_view, upward};
 use lampyris::session::Session;
 use lampyris::world::World;
+use serde_json::Value;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -34,12 +39,10 @@ pub(crate) const GOOD: f32 = 0.02;
 
 /// A scene to open, and how.
 pub struct Opened {
-    /// The scene as its file has it.
-    pub scene: Scene,
+    /// The scene, and what was edited in it before.
+    pub document: document::Opened,
     /// From where to look, if the arguments say so.
     pub camera: Option<Camera>,
-    /// What was odd about its file.
-    pub warnings: Vec<String>,
 }
 
 /// What is to be done, until it is.
@@ -51,6 +54,8 @@ struct Work {
     /// Edits in order; of those of one thing that follow each other only the last.
     edits: Vec<(Edit, u32)>,
     questions: Vec<Asked>,
+    /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
+    save: Option<(Value, Option<String>)>,
     ended: bool,
 }
 
@@ -88,26 +93,29 @@ pub(crate) struct Progress {
 pub(crate) struct Studio {
     work: Mutex<Work>,
     wake: Condvar,
+    /// What is to be done makes the batch at hand pointless, or shall not wait for it.
+    urgent: AtomicBool,
 }
 
 impl Studio {
     pub(crate) fn new() -> Studio {
-        Studio { work: Mutex::default(), wake: Condvar::new() }
+        Studio { work: Mutex::default(), wake: Condvar::new(), urgent: AtomicBool::new(false) }
     }
 
     /// Looks from elsewhere.
     pub(crate) fn look(&self, look: Look, number: u32, seq: u32) {
-        self.put(|work| work.camera = Some((look, number, seq)));
+        self.put(true, |work| work.camera = Some((look, number, seq)));
     }
 
     /// Draws in another size.
     pub(crate) fn resize(&self, size: [u32; 2]) {
-        self.put(|work| work.size = Some(size));
+        self.put(true, |work| work.size = Some(size));
     }
 
     /// Edits the scene.
     pub(crate) fn edit(&self, edits: Vec<Edit>, seq: u32) {
-        self.put(|work| {
+        let urgent = edits.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+        self.put(urgent, |work| {
             for edit in edits {
                 match work.edits.last_mut().filter(|(last, _)| replaces(&edit, last)) {
                     Some(last) => *last = (edit, seq),
@@ -119,15 +127,24 @@ impl Studio {
 
     /// Asks what lies behind a pixel.
     pub(crate) fn ask(&self, asked: Asked) {
-        self.put(|work| work.questions.push(asked));
+        self.put(true, |work| work.questions.push(asked));
     }
 
     pub(crate) fn end(&self) {
-        self.put(|work| work.ended = true);
+        self.put(true, |work| work.ended = true);
     }
 
-    fn put(&self, put: impl FnOnce(&mut Work)) {
-        put(&mut self.work());
+    /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
+    pub(crate) fn save(&self, desk: Value, name: Option<String>) {
+        self.put(false, |work| work.save = Some((desk, name)));
+    }
+
+    fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {
+        let mut work = self.work();
+        put(&mut work);
+        if urgent {
+            self.urgent.store(true, Ordering::Relaxed);
+        }
         self.wake.notify_one();
     }
 
@@ -144,6 +161,7 @@ impl Studio {
                 && work.size.is_none()
                 && work.edits.is_empty()
                 && work.questions.is_empty()
+                && work.save.is_none()
         };
         while idle(&work) {
             work = match until.map(|until| until.saturating_duration_since(Instant::now())) {
@@ -152,6 +170,7 @@ impl Studio {
                 None => self.wake.wait(work).unwrap_or_else(PoisonError::into_inner),
             };
         }
+        self.urgent.store(false, Ordering::Relaxed);
         std::mem::take(&mut work)
     }
 }
@@ -170,7 +189,10 @@ fn replaces(edit: &Edit, last: &Edit) -> bool {
 /// The session with all that is known of its picture.
 struct Stage {
     session: Session,
-    settings: Settings,
+    /// The scene as its file has it, without its geometry.
+    before: Scene,
+    document: Document,
+    saver: Saver,
     look: Arc<Look>,
     camera: Arc<CameraText>,
     /// What was asked for, and what is drawn now.
@@ -195,29 +217,37 @@ pub(crate) fn run(
     inbox: &Inbox,
 ) -> Result<()> {
     let settings = Settings::interactive();
+    let Opened { document, camera } = opened;
+    let document::Opened { scene, before, document: own, warnings, .. } = &document;
     let cpu = Cpu::new(threads)?;
-    let mut world = cpu.install(|| World::new(opened.scene));
-    cpu.install(|| world.separate(GROUPS))?;
-    let scene = world.scene();
+    let mut world = cpu.install(|| World::new(scene.clone()));
+    cpu.install(|| world.separate(own.layers.map_or(GROUPS, |layers| layers as usize)))?;
     let aspect = size[0] as f32 / size[1] as f32;
     let found = || find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera;
     let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
-    let camera = opened.camera.or_else(first).unwrap_or_else(|| cpu.install(found));
-    let model = opening::open(&world);
+    let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
     let look = Arc::new(Look::from(&camera));
-    let scene = Scene { view: Some(camera), ..scene.clone() };
-    drop(world);
-    let bare = bare(&scene);
-    let session = Session::open(scene, size, &settings, threads)?;
+    world.apply(&Edit::View { camera: Some(camera) })?;
+    let mut model = opening::open(&world);
+    let lost = saving::restore(&mut model, &own.desk);
+    let bare = bare(world.scene());
+    let session = Session::begin(cpu, world, size, &settings)?;
+    let warnings =
+        warnings.iter().cloned().chain(lost.into_iter().map(|lost| format!("not found any more: {lost}")));
     inbox.put(Event::Opened {
         model: Box::new(model),
         scene: Box::new(bare),
         look: (*look).clone(),
-        warnings: opened.warnings,
+        warnings: warnings.collect(),
     });
+    let before = before.clone();
+    let own = own.clone();
+    let saver = Saver::start(document, inbox.clone())?;
     let mut stage = Stage {
         session,
-        settings,
+        before,
+        document: own,
+        saver,
         camera: Arc::new(camera_text(&look, 0)),
         look,
         size,
@@ -262,7 +292,9 @@ impl Stage {
                 continue;
             }
             let begun = Instant::now();
-            self.session.step()?;
+            if !self.session.step_while(&|| !studio.urgent.load(Ordering::Relaxed))? {
+                continue;
+            }
             let seconds = begun.elapsed().as_secs_f32();
             let pixels = (self.drawn[0] * self.drawn[1]) as f32;
             self.pixel =
@@ -307,6 +339,13 @@ impl Stage {
             self.draw_in(self.small())?;
         } else if resized {
             self.draw_in(self.size)?;
+        }
+        self.session.forget();
+        if let Some((desk, name)) = work.save {
+            let mut document = Document::of(&self.before, self.session.scene()?);
+            document.scene = self.document.scene.clone();
+            (document.layers, document.desk) = (Some(GROUPS as u32), desk);
+            self.saver.save(document, name);
         }
         for asked in work.questions {
             let found = self.find(&asked);
@@ -361,7 +400,7 @@ impl Stage {
             Progress { stage, batches, error, good_in, fps: 1.0 / seconds.max(1e-3), size, layers };
         screen.light(Light {
             size,
-            radiance: Arc::new(frame.shown()),
+            still: Some(Arc::new(frame.still())),
             camera: self.camera.clone(),
             look: Some(self.look.clone()),
             batches,

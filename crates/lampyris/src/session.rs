@@ -41,9 +41,19 @@ impl Session {
         settings: &Settings,
         threads: Option<usize>,
     ) -> Result<Session> {
-        let eye = eye(scene.view.as_ref(), size)?;
-        let mut cpu = Cpu::new(threads)?;
-        cpu.begin(scene, eye, settings)?;
+        eye(scene.view.as_ref(), size)?;
+        let cpu = Cpu::new(threads)?;
+        let world = cpu.install(|| World::new(scene));
+        Session::begin(cpu, world, size, settings)
+    }
+
+    /// [`Session::open`] of a world that was built, on a back end that is at hand.
+    ///
+    /// # Errors
+    /// As [`Session::open`].
+    pub fn begin(mut cpu: Cpu, world: World, size: [u32; 2], settings: &Settings) -> Result<Session> {
+        let eye = eye(world.scene().view.as_ref(), size)?;
+        cpu.begin_world(world, eye, settings)?;
         Ok(Session {
             cpu,
             size,
