@@ -1,0 +1,1 @@
+export function Lamps() { return <section class="panel lamps" />; }

@@ -1,0 +1,9 @@
+// What comes after the first picture: handles, inspector, legend, sheets. Everything they share with the rest they take
+// from `../desk`, which is the file that is loaded already.
+
+export { Compare } from './compare';
+export { Gizmo } from './handles';
+export { Inspector } from './inspector';
+export { Legend } from './legend';
+export { Sheets } from './sheets';
+export { What } from './what';

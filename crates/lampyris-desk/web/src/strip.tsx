@@ -1,0 +1,1 @@
+export function Strip() { return <section class="panel strip" />; }
