@@ -1,7 +1,6 @@
 // The bar on top: what scene this is, what can be taken back, how one looks at it.
 
-import type { ComponentChildren } from 'preact';
-import { act, actions, drawer, exposeBy, keysOf, namedViews, sheet, toggleFalse, whyNotTo } from './actions';
+import { act, drawer, exposeBy, namedViews, sheet, toggleFalse } from './actions';
 import { before, comparing } from './before';
 import { show } from './gesture';
 import { go } from './navigate';
@@ -9,48 +8,10 @@ import { houseLights, lookOnly, theme, walking } from './prefs';
 import { display, history, saved, scene } from './store';
 import { Field } from './field';
 import { Icon } from './icon';
+import { Item, Menu } from './menu';
 import { Range } from './range';
 import { digits } from './units';
 import { role, send } from './wire';
-
-/** A button with a sheet of choices below it: the platform's own popover, which closes itself. */
-export function Menu({ id, label, title, children }: { id: string; label: ComponentChildren; title: string; children: ComponentChildren }) {
-    const place = (button: HTMLElement) => {
-        const menu = document.getElementById(id);
-        const box = button.getBoundingClientRect();
-        menu?.style.setProperty('left', `${Math.max(8, Math.min(box.left, innerWidth - 296))}px`);
-        menu?.style.setProperty('top', `${box.bottom + 4}px`);
-    };
-    const attributes = { popovertarget: id } as Record<string, string>;
-    return (
-        <>
-            <button {...attributes} title={title} aria-label={title} aria-haspopup="true" onPointerDown={(e) => place(e.currentTarget)} onFocus={(e) => place(e.currentTarget)}>
-                {label}
-            </button>
-            <div id={id} popover="auto" class="menu">{children}</div>
-        </>
-    );
-}
-
-/** An action as a row of a menu. */
-export function Item({ id, label }: { id: string; label?: string }) {
-    const why = whyNotTo(id);
-    const action = actions.find((a) => a.id === id);
-    return (
-        <button
-            class="item"
-            aria-disabled={why !== null}
-            title={why ?? undefined}
-            onClick={(e) => {
-                (e.currentTarget.closest('[popover]') as HTMLElement | null)?.hidePopover();
-                act(id);
-            }}
-        >
-            <span>{label ?? action?.label}</span>
-            <kbd>{keysOf(id)}</kbd>
-        </button>
-    );
-}
 
 function ViewMenu() {
     const named = namedViews();
