@@ -21,6 +21,8 @@ const options = {
     format: 'esm',
     target: 'es2022',
     minifyIdentifiers: true,
+    minifySyntax: true,
+    jsxSideEffects: true,
     legalComments: 'none',
     charset: 'utf8',
     logLevel: 'warning',

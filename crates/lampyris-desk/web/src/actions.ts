@@ -1,18 +1,14 @@
-// Everything one can do, by name: the menus, the palette, the keys and the help sheet all read this one list.
+// Everything one can do has a name: the menus, the palette, the keys and the help sheet all read one list
+// (later/actions.ts). Here is how it is done, and what the bar does before the list is there.
 
 import { signal } from '@preact/signals';
-import { compareHeld, toggleWipe } from './before';
-import { PRESETS, type Preset } from './camera';
 import { edit, show, whyNot } from './gesture';
-import { highlight, soloSelection, clearSolo } from './highlight';
-import { back, forth, frameSelection, go, goHome, goInside, goPreset, here } from './navigate';
-import { fine, hands, listing, lookOnly, panels, theme, travel, walking, candles, lampMarks, type Hands } from './prefs';
+import { here } from './navigate';
 import { say } from './say';
-import { chosenLamps, deselect, handles, selection, spot, stepSelection, titleOf } from './select';
-import { display, history, lamps, looks, scene, things, views } from './store';
-import { addMeter, adding, aim, copyAlong, free, removeLamps, startTool } from './tools';
-import type { Camera, FalseColor, LampKind, Patch } from './types';
-import { ask, send } from './wire';
+import { display, looks, views } from './store';
+import { free } from './tools';
+import type { FalseColor, Patch } from './types';
+import { send } from './wire';
 
 export interface Action {
     id: string;
@@ -32,8 +28,6 @@ export const drawer = signal<'lamps' | 'inspector' | null>('lamps');
 /** Counts up when the level field of the selection shall take the keys. */
 export const wantLevel = signal('');
 
-const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
-
 /** Sends what is no gesture but changes the scene. */
 export function command(message: { do: string } & Record<string, unknown>): void {
     const why = whyNot();
@@ -41,24 +35,15 @@ export function command(message: { do: string } & Record<string, unknown>): void
     else send(message);
 }
 
-function toggleLamps(): void {
-    const ids = chosenLamps.peek();
-    const on = !ids.some((id) => lamps.get(id)?.on);
-    edit(`${titleOf(ids)} ${on ? 'on' : 'off'}`, { lamps: each(ids, { on }) });
-}
-
 export const each = (ids: number[], patch: Patch): Patch => Object.fromEntries(ids.map((id) => [id, patch]));
-
-function park(): void {
-    const ids = chosenLamps.peek();
-    const parked = !ids.every((id) => lamps.get(id)?.parked);
-    edit(`${parked ? 'Park' : 'Unpark'} ${titleOf(ids)}`, { lamps: each(ids, { parked }) });
-}
 
 export const DEFAULT_FALSE: FalseColor = {
     quantity: 'illuminance', low: 1, high: 1000, scale: 'log', palette: 'viridis', lines: false,
 };
 let lastFalse: FalseColor = DEFAULT_FALSE;
+
+/** The false colour that is shown, or was last. */
+export const falseColor = (): FalseColor => display.peek().false_color ?? lastFalse;
 
 export function toggleFalse(): void {
     const now = display.peek().false_color;
@@ -67,15 +52,8 @@ export function toggleFalse(): void {
 }
 
 export function exposeBy(steps: number): void {
-    const ev = Math.round((display.peek().ev + steps / 3) * 30) / 30;
+    const ev = Math.round(((display.peek().ev ?? 0) + steps / 3) * 30) / 30;
     show({ ev });
-}
-
-function hide(hidden: boolean): void {
-    const now = selection.peek();
-    const ids = hidden ? (now?.kind === 'thing' ? now.ids : []) : things.ids.peek().filter((id) => things.get(id)?.hidden);
-    if (!ids.length) return say(hidden ? 'Select a thing first.' : 'Nothing is hidden.', 'warn');
-    edit(hidden ? 'Hide things' : 'Show hidden things', { things: each(ids, { hidden }) });
 }
 
 export function storeView(): void {
@@ -86,19 +64,6 @@ export function storeView(): void {
 }
 
 export const storeLook = (): void => command({ do: 'look', what: 'store', name: `Look ${free(looks) + 1}` });
-
-export function viewFromLamp(): void {
-    const id = chosenLamps.peek()[0];
-    const place = lamps.get(id)?.place;
-    const camera = here();
-    if (!place?.position || !place.direction || !camera) return say('Select a lamp that has a direction.', 'warn');
-    const { position: p, direction: d } = place;
-    go({ ...camera, eye: p, target: [p[0] + d[0], p[1] + d[1], p[2] + d[2]], height: null, near: null }, 'from the lamp');
-}
-
-function copyCommand(): void {
-    ask('command', {}, (answer) => void copyText(answer.text as string));
-}
 
 /** Copies without the clipboard's own interface, which pages of plain addresses do not have. */
 export async function copyText(text: string): Promise<void> {
@@ -118,111 +83,25 @@ export async function copyText(text: string): Promise<void> {
     say(done ? 'Copied.' : `Copy it by hand: ${text}`);
 }
 
-const KINDS: [LampKind, string][] = [['point', 'point'], ['spot', 'spot'], ['disc', 'area'], ['sphere', 'sphere']];
-const PLACES: Record<Preset, string> = {
-    plan: 'Plan', ceiling: 'Ceiling, seen from below', north: 'Elevation ahead', east: 'Elevation to the right',
-    south: 'Elevation back', west: 'Elevation to the left',
-};
+let actions = new Map<string, Action>();
+let early: string | null = null;
 
-export const actions: Action[] = [
-    { id: 'frame', group: 'View', label: 'Frame the selection', keys: 'F', run: frameSelection },
-    { id: 'home', group: 'View', label: 'Home: the view at the beginning', keys: 'Home', run: goHome },
-    { id: 'inside', group: 'View', label: 'Inside again', keys: 'Shift+0', run: goInside },
-    { id: 'back', group: 'View', label: 'The view before', keys: 'Alt+←', run: back },
-    { id: 'forth', group: 'View', label: 'The view after', keys: 'Alt+→', run: forth },
-    { id: 'store-view', group: 'View', label: 'Store this view', keys: 'Alt+0', run: storeView, why: whyNot },
-    ...PRESETS.map((which, k) => ({
-        id: `preset-${which}`, group: 'View', label: PLACES[which], keys: `Shift+${k + 1}`, run: () => goPreset(which),
-    })),
-    {
-        id: 'walking', group: 'View', label: 'Walk or fly', keys: 'V',
-        run: () => {
-            walking.value = walking.peek() === 'walk' ? 'fly' : 'walk';
-            say(walking.peek() === 'walk' ? 'Walking, the eye 1.60 m above the floor' : 'Flying');
-        },
-    },
-    { id: 'from-lamp', group: 'View', label: 'View from the lamp', keys: 'Shift+L', run: viewFromLamp, why: needLamp },
-    { id: 'next', group: 'Select', label: 'Next', keys: ']', run: () => stepSelection(1) },
-    { id: 'previous', group: 'Select', label: 'Previous', keys: '[', run: () => stepSelection(-1) },
-    { id: 'marquee', group: 'Select', label: 'Select lamps by dragging around them', keys: 'M', run: () => startTool('marquee') },
-    { id: 'all-lamps', group: 'Select', label: 'Select all lamps', keys: 'Ctrl+A', run: () => (selection.value = { kind: 'lamp', ids: lamps.ids.peek() }) },
-    { id: 'none', group: 'Select', label: 'Select nothing', keys: 'Esc', run: deselect },
-    { id: 'on-off', group: 'Lamps', label: 'On or off', keys: 'O', run: toggleLamps, why: needLamp },
-    { id: 'solo', group: 'Lamps', label: 'Solo', keys: 'I', run: soloSelection, why: () => (chosenLamps.value.length ? null : 'Select a lamp first.') },
-    { id: 'unsolo', group: 'Lamps', label: 'End solo', keys: 'Shift+I', run: clearSolo },
-    { id: 'highlight', group: 'Lamps', label: 'Highlight as long as the key is held', keys: 'hold L', run: () => highlight(true), why: needLamp },
-    { id: 'park', group: 'Lamps', label: 'Park: off, and not traced', keys: 'Shift+O', run: park, why: needLamp },
-    { id: 'aim', group: 'Lamps', label: 'Aim by pointing', keys: 'T', run: () => startTool('aim'), why: needLamp },
-    { id: 'aim-here', group: 'Lamps', label: 'Aim at the point under the pointer', keys: 'Shift+T', run: () => spot.peek() && aim(chosenLamps.peek(), spot.peek()!.point), why: needLamp },
-    { id: 'move', group: 'Lamps', label: 'Handles to move', keys: 'G', run: () => (handles.value = 'move') },
-    { id: 'turn', group: 'Lamps', label: 'Handles to turn', keys: 'R', run: () => (handles.value = 'turn') },
-    ...KINDS.map(([kind, name]) => ({
-        id: `add-${kind}`, group: 'Lamps', label: `Add a ${name} lamp by pointing`, keys: kind === 'spot' ? 'N' : undefined, why: whyNot,
-        run: () => {
-            adding.value = kind;
-            startTool('add');
-        },
-    })),
-    { id: 'duplicate', group: 'Lamps', label: 'Duplicate', keys: 'Ctrl+D', run: () => copyAlong(chosenLamps.peek(), 1, [0.5, 0, 0]), why: needLamp },
-    { id: 'remove', group: 'Lamps', label: 'Remove', keys: 'Del', run: () => removeLamps(chosenLamps.peek()), why: needLamp },
-    { id: 'hide', group: 'Things', label: 'Hide', keys: 'H', run: () => hide(true), why: whyNot },
-    { id: 'unhide', group: 'Things', label: 'Show what is hidden', keys: 'Alt+H', run: () => hide(false), why: whyNot },
-    { id: 'undo', group: 'Work', label: 'Undo', keys: 'Ctrl+Z', run: () => command({ do: 'undo' }), why: () => whyNot() ?? (history.value.undo === null ? 'There is nothing to undo.' : null) },
-    { id: 'redo', group: 'Work', label: 'Redo', keys: 'Ctrl+Shift+Z', run: () => command({ do: 'redo' }), why: () => whyNot() ?? (history.value.redo === null ? 'There is nothing to redo.' : null) },
-    { id: 'save', group: 'Work', label: 'Save a version with a name', keys: 'Ctrl+S', run: () => (sheet.value = 'save'), why: whyNot },
-    { id: 'picture', group: 'Work', label: 'Save the picture', keys: 'Ctrl+Shift+S', run: () => (sheet.value = 'picture') },
-    { id: 'command', group: 'Work', label: 'Copy the command that renders this picture', run: copyCommand },
-    { id: 'share', group: 'Work', label: 'Share by link', run: () => (sheet.value = 'share') },
-    { id: 'false-colour', group: 'Seeing', label: 'False colour', keys: 'B', run: toggleFalse },
-    {
-        id: 'quantity', group: 'Seeing', label: 'False colour of lux or of cd/m²', keys: 'Shift+B',
-        run: () => {
-            const now = display.peek().false_color ?? lastFalse;
-            show({ false_color: { ...now, quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
-        },
-    },
-    { id: 'darker', group: 'Seeing', label: 'Darker by a third of a stop', keys: ',', run: () => exposeBy(1) },
-    { id: 'brighter', group: 'Seeing', label: 'Brighter by a third of a stop', keys: '.', run: () => exposeBy(-1) },
-    { id: 'expose', group: 'Seeing', label: 'Meter the exposure once', keys: '/', run: () => send({ do: 'expose' }) },
-    { id: 'before', group: 'Seeing', label: 'Before, as long as the key is held', keys: 'hold \\', run: () => compareHeld(true) },
-    { id: 'wipe', group: 'Seeing', label: 'Wipe between before and now', keys: 'C', run: toggleWipe },
-    { id: 'meter', group: 'Measure', label: 'Meter under the pointer', keys: 'P', why: whyNot, run: () => (spot.peek() ? addMeter(spot.peek()!.point, spot.peek()!.normal) : startTool('meter')) },
-    { id: 'meter-tool', group: 'Measure', label: 'Lay a meter by pointing', run: () => startTool('meter'), why: whyNot },
-    { id: 'grid', group: 'Measure', label: 'Lay a grid by two corners', keys: 'Shift+G', run: () => startTool('grid'), why: whyNot },
-    { id: 'units', group: 'Measure', label: 'Lux or foot-candles', run: () => (candles.value = candles.peek() === 'lx' ? 'fc' : 'lx') },
-    { id: 'look-store', group: 'Looks', label: 'Store a look', keys: 'Ctrl+Enter', run: storeLook, why: whyNot },
-    { id: 'look-recall', group: 'Looks', label: 'Recall a look by its digit', keys: 'J, then 1…9', run: () => say('Press J, then the digit of the look.') },
-    { id: 'panels', group: 'Page', label: 'Panels away', keys: 'U', run: () => (panels.value = !panels.peek()) },
-    { id: 'listing', group: 'Page', label: 'Faders or sheet', run: () => (listing.value = listing.peek() === 'faders' ? 'sheet' : 'faders') },
-    { id: 'travel', group: 'Page', label: 'Faders by the square law or even', run: () => (travel.value = travel.peek() === 'square' ? 'linear' : 'square') },
-    { id: 'marks', group: 'Page', label: 'Marks of lamps in the view', run: () => (lampMarks.value = !lampMarks.peek()) },
-    { id: 'fine', group: 'Page', label: 'Full resolution of fine displays', run: () => (fine.value = !fine.peek()) },
-    { id: 'theme', group: 'Page', label: 'Light or dark', run: () => (theme.value = theme.peek() === 'dark' ? 'light' : 'dark') },
-    { id: 'lock', group: 'Page', label: 'Look-only lock', run: () => (lookOnly.value = !lookOnly.peek()) },
-    ...(['default', 'blender', 'maya', 'trackpad'] as Hands[]).map((habit) => ({
-        id: `hands-${habit}`, group: 'Page', label: `Navigate as: ${habit}`, run: () => (hands.value = habit),
-    })),
-    { id: 'help', group: 'Page', label: 'All keys', keys: '?', run: () => (sheet.value = 'help') },
-    { id: 'palette', group: 'Page', label: 'Command palette', keys: 'Ctrl+K', run: () => (sheet.value = 'palette') },
-];
+/** The list comes with the second file; what was asked for before is done then. */
+export function register(list: Action[]): void {
+    actions = new Map(list.map((action) => [action.id, action]));
+    if (early) act(early);
+    early = null;
+}
 
-const byId = new Map(actions.map((action) => [action.id, action]));
+export const allActions = (): Action[] => [...actions.values()];
+export const actionOf = (id: string): Action | undefined => actions.get(id);
+export const whyNotTo = (id: string): string | null => actions.get(id)?.why?.() ?? null;
 
 /** Does it, or says why not. */
 export function act(id: string): void {
-    const action = byId.get(id);
+    const action = actions.get(id);
+    if (!actions.size) early = id;
     const why = action?.why?.();
     if (why) say(why, 'warn');
     else action?.run();
-}
-
-export function whyNotTo(id: string): string | null {
-    return byId.get(id)?.why?.() ?? null;
-}
-export const keysOf = (id: string): string | undefined => byId.get(id)?.keys;
-
-/** The views that the palette and the menu offer besides: those of the file and those stored. */
-export function namedViews(): { name: string; camera: Camera }[] {
-    const file = (scene.value?.cameras ?? []).map((camera, k) => ({ name: camera.name || `Camera ${k + 1}`, camera }));
-    return [...file, ...views.all().map(([, camera]) => ({ name: camera.name ?? 'View', camera }))];
 }

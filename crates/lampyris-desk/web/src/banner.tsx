@@ -1,7 +1,7 @@
 // What must be known is said over the view, with the way out beside it.
 
 import type { ComponentChildren } from 'preact';
-import { actions, command, copyText, sheet } from './actions';
+import { act, copyText, sheet } from './actions';
 import { edit } from './gesture';
 import { notes, unsay } from './say';
 import { broken, loading, lostEdits, state, taken } from './states';
@@ -31,10 +31,6 @@ function turnOn(): void {
         lamps: Object.fromEntries(off.map(([id, lamp]) => [id, { on: true, parked: false, ...(lamp.level === 0 ? { level: 1 } : {}) }])),
         groups: Object.fromEntries(shut.map(([id, group]) => [id, { on: true, ...(group.level === 0 ? { level: 1 } : {}) }])),
     });
-}
-
-function addSky(): void {
-    command({ do: 'add', lamp: { name: 'Sky', kind: 'sky', on: true, level: 1, flux: 10000, color: { mode: 'kelvin', kelvin: 6500, tint: 0, rgb: [1, 1, 1], xy: [0.3127, 0.329] }, place: null } });
 }
 
 function words(): ComponentChildren {
@@ -101,7 +97,7 @@ function words(): ComponentChildren {
         case 'no-lamps':
             return (
                 <Strip tone="calm">
-                    This scene has no light. Add: <button onClick={addSky}>sky</button>
+                    This scene has no light. Add:
                     <button
                         onClick={() => {
                             adding.value = 'disc';
@@ -117,7 +113,7 @@ function words(): ComponentChildren {
             return (
                 <Strip tone="warn">
                     All lamps are off.
-                    {history.value.undo && <button onClick={() => actions.find((a) => a.id === 'undo')?.run()}>Undo</button>}
+                    {history.value.undo && <button onClick={() => act('undo')}>Undo</button>}
                     <button onClick={turnOn}>Turn on</button>
                 </Strip>
             );

@@ -71,7 +71,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
                 <span>{entry.name}</span>
                 {group && <small>{members.length}</small>}
                 {lamp?.parked && <small>parked</small>}
-                {lamp && !lamp.free && <small class="traced" title={cost(lamp)}>re-trace</small>}
+                {lamp && !lamp.free && <small class="traced" title={cost(lamp)}>↻<span class="spoken">re-trace</span></small>}
             </button>
             {lamp && <span class="tint"><i class="swatch" style={{ background: css(lamp.swatch) }} />{colorText(lamp)}</span>}
             <button class="icon solo" aria-pressed={alone} aria-label={`Solo ${entry.name}`} title="Solo (I)" onClick={() => soloLamps(members)}>

@@ -24,6 +24,9 @@ export function whyNot(): string | null {
     return null;
 }
 
+/** A label as long as the program takes them. */
+const short = (text: string): string => (text.length > 120 ? `${text.slice(0, 119)}…` : text).replace(/[\u0000-\u001f]/g, ' ');
+
 export class Gesture {
     private waiting: Patch | null = null;
     private touched: Patch = {};
@@ -53,7 +56,7 @@ export class Gesture {
         if (this.state === 'held') {
             this.flush();
             settle(this.touched, this.last);
-            this.finish({ do: 'end', ...(label ? { label } : {}) });
+            this.finish({ do: 'end', ...(label ? { label: short(label) } : {}) });
         }
         this.state = 'over';
     }
@@ -91,7 +94,7 @@ export class Gesture {
         this.state = 'held';
         live.add(this);
         if (open === 0) beginners.forEach((heard) => heard());
-        if (open++ === 0) this.last = send({ do: 'begin', label: this.label });
+        if (open++ === 0) this.last = send({ do: 'begin', label: short(this.label) });
         return true;
     }
 

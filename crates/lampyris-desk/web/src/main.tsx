@@ -12,7 +12,6 @@ import { fine, houseLights, lookOnly, panels, theme } from './prefs';
 import { state } from './states';
 import { StatusLine } from './status';
 import { editor, scene } from './store';
-import { Strip } from './strip';
 import { View } from './view';
 import { viewSize } from './navigate';
 import { connect, line, role, send } from './wire';
@@ -24,7 +23,7 @@ function Desk() {
             <Lamps />
             <View />
             <section class="panel inspector" aria-label="Inspector"><Later part="Inspector" /></section>
-            <Strip />
+            <section class="strip" aria-label="Looks and meters"><Later part="Strip" /></section>
             <StatusLine />
             <Later part="Sheets" />
         </>

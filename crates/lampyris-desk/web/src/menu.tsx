@@ -1,7 +1,7 @@
 // Menus: a button with a sheet of choices, and actions as its rows.
 
 import type { ComponentChildren } from 'preact';
-import { act, actions, keysOf, whyNotTo } from './actions';
+import { act, actionOf, whyNotTo } from './actions';
 
 /** A button with a sheet of choices below it: the platform's own popover, which closes itself. */
 export function Menu({ id, label, title, children }: { id: string; label: ComponentChildren; title: string; children: ComponentChildren }) {
@@ -25,7 +25,7 @@ export function Menu({ id, label, title, children }: { id: string; label: Compon
 /** An action as a row of a menu. */
 export function Item({ id, label }: { id: string; label?: string }) {
     const why = whyNotTo(id);
-    const action = actions.find((a) => a.id === id);
+    const action = actionOf(id);
     return (
         <button
             class="item"
@@ -37,7 +37,7 @@ export function Item({ id, label }: { id: string; label?: string }) {
             }}
         >
             <span>{label ?? action?.label}</span>
-            <kbd>{keysOf(id)}</kbd>
+            <kbd>{action?.keys}</kbd>
         </button>
     );
 }

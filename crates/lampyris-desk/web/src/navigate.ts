@@ -150,21 +150,27 @@ export function stride(ahead: number, sideways: number, upward: number): void {
 }
 
 let asking = false;
+let floors = true;
 let floor: number | null = null;
 
 function keepHeight(): void {
     const c = here();
-    if (!c || asking) return;
+    if (!c || asking || !floors) return;
     const above = up.peek();
     asking = true;
     const stop = ask('ray', { origin: c.eye, direction: scale(above, -1) }, (answer) => {
         asking = false;
+        floors = true;
         const now = here();
         if (!answer.hit || !now || now.height) return;
         floor = dot(answer.point as Vec, above);
         // Half of the way each time: stairs are climbed, not jumped.
         const off = floor + EYE_HEIGHT - dot(now.eye, above);
         if (Math.abs(off) > 0.01) go(moved(now, scale(above, off * 0.5)));
+    }, () => {
+        // A program that cannot be asked for floors has one, the lowest of the scene.
+        asking = false;
+        floors = false;
     });
     setTimeout(() => {
         if (asking) stop();

@@ -9,8 +9,9 @@ import { fitted, viewSize } from './navigate';
 import { lampMarks } from './prefs';
 import { hovered, selection } from './select';
 import { grids, lamps, meters, output, things } from './store';
-import type { Grid, Id, Lamp, Meter, Vec } from './types';
-import { add, corners, middle, scale } from './vec';
+import type { Grid, Id, Meter, Vec } from './types';
+import { add, corners, scale } from './vec';
+import { positionOf } from './tools';
 import { luxText } from './units';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -74,7 +75,7 @@ export function lampsSeen(): { id: Id; at: Point }[] | null {
 }
 
 /** Where a lamp is, for a mark. */
-export const lampPoint = (lamp: Lamp): Vec | null => lamp.place?.position ?? (lamp.box ? middle(lamp.box) : null);
+export const lampPoint = positionOf;
 
 const EDGES = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 

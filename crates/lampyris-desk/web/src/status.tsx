@@ -25,7 +25,7 @@ const latency = computed(() => {
 function quality(): string {
     const s = status.value;
     if (!s) return 'starting';
-    const off = s.error === null ? '' : ` ±${digits(s.error * 100, s.error < 0.0995 ? 1 : 0)} %`;
+    const off = s.error == null ? '' : ` ±${digits((s.error ?? 0) * 100, s.error < 0.0995 ? 1 : 0)} %`;
     switch (s.stage) {
         case 'loading':
             return 'first look';

@@ -148,7 +148,7 @@ export const editor = signal<{ you: boolean; name: string | null }>({ you: true,
 export const status = signal<Status | null>(null);
 
 const displayEntry = new Entry<Display>({
-    ev: 0, metered: null, tone: 'filmic', white: { kelvin: 6500, tint: 0 }, false_color: null,
+    ev: null, metered: false, tone: 'filmic', white: null, false_color: null,
 });
 export const display = displayEntry.shown;
 

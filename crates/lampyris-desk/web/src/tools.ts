@@ -6,8 +6,8 @@ import { up } from './navigate';
 import { chosenLamps, select, titleOf, tool, type Kind } from './select';
 import { grids, lamps, meters, type Slice } from './store';
 import { say } from './say';
-import type { Hit, Id, LampKind, Patch, Vec } from './types';
-import { add, cross, distance, dot, normal, scale, sub } from './vec';
+import type { Hit, Id, Lamp, LampKind, Patch, Vec } from './types';
+import { add, cross, distance, dot, middle, normal, scale, sub } from './vec';
 
 /** Which lamp the tool `add` hangs. */
 export const adding = signal<LampKind>('spot');
@@ -116,17 +116,14 @@ export function hang(kind: LampKind, at: { point: Vec; normal: Vec }): void {
     const direction = level > 0.7 || level < -0.7 ? scale(above, -1) : at.normal;
     const place: Patch = { position };
     if (kind !== 'point' && kind !== 'sphere') place.direction = direction;
-    if (kind === 'spot') Object.assign(place, { inner: 24, outer: 36, aim: level > 0.7 ? at.point : null });
+    if (kind === 'spot') Object.assign(place, { inner: 24, outer: 36, ...(level > 0.7 ? { aim: at.point } : {}) });
     if (kind === 'disc') place.radius = 0.15;
     if (kind === 'sphere') place.radius = 0.08;
     const own = lamps.all().filter(([, lamp]) => lamp.own).length;
     selectNext(lamps as unknown as Slice<object>, 'lamp');
     step(`Add ${NAMES[kind]?.toLowerCase() ?? kind} lamp`, {
         do: 'add',
-        lamp: {
-            name: `${NAMES[kind] ?? kind} ${own + 1}`, kind, on: true, level: 1, flux: 800,
-            color: { mode: 'kelvin', kelvin: 3000, tint: 0, rgb: [1, 1, 1], xy: [0.4369, 0.4041] }, place,
-        },
+        lamp: { name: `${NAMES[kind] ?? kind} ${own + 1}`, kind, flux: 800, place },
     });
 }
 
@@ -146,19 +143,26 @@ export function placed(ids: Id[], by: Vec, from: Map<Id, Vec>): Patch {
     for (const id of ids) {
         const place = lamps.get(id)?.place;
         const start = from.get(id);
-        if (!place || !start) continue;
+        if (!start) continue;
         const position = add(start, by);
-        const toward = place.aim && distance(place.aim, position) > 1e-6 ? { direction: normal(sub(place.aim, position)) } : {};
+        const toward = place?.aim && distance(place.aim, position) > 1e-6 ? { direction: normal(sub(place.aim, position)) } : {};
         patch[id] = { place: { position, ...toward } };
     }
     return { lamps: patch };
+}
+
+/** Where a lamp is: its own place, or the middle of what it occupies; null for sky and sun. */
+export function positionOf(lamp: Lamp): Vec | null {
+    if (lamp.kind === 'sky' || lamp.kind === 'parallel') return null;
+    return lamp.place?.position ?? (lamp.box ? middle(lamp.box) : null);
 }
 
 /** Places of the lamps that have one. */
 export function positions(ids: Id[]): Map<Id, Vec> {
     const found = new Map<Id, Vec>();
     for (const id of ids) {
-        const position = lamps.get(id)?.place?.position;
+        const lamp = lamps.get(id);
+        const position = lamp && positionOf(lamp);
         if (position) found.set(id, position);
     }
     return found;

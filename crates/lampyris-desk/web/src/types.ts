@@ -44,6 +44,9 @@ export interface Place {
     radius?: number | null;
     inner?: number | null;
     outer?: number | null;
+    /** Of a thing or a luminous surface, about its middle: a quaternion x y z w, and a factor. */
+    rotation?: [number, number, number, number] | null;
+    scale?: number | null;
 }
 
 export interface Lamp {
@@ -79,7 +82,7 @@ export interface Layer {
 
 export interface Thing {
     name: string;
-    place: { move?: Vec; turn?: Vec; scale?: number } | null;
+    place: Place | null;
     hidden: boolean;
     box: [Vec, Vec] | null;
     materials: Id[];
@@ -89,10 +92,11 @@ export interface Thing {
 export interface Material {
     name: string;
     kind: string;
-    color: Vec;
+    color?: Vec | null;
+    transmittance?: Vec | null;
     reflectance: number | null;
-    roughness: number | null;
-    specular: number | null;
+    roughness?: number | null;
+    specular?: number | null;
 }
 
 export interface Look {
@@ -135,10 +139,11 @@ export interface FalseColor {
 }
 
 export interface Display {
-    ev: number;
-    metered: number | null;
+    ev: number | null;
+    /** True where the exposure is the one that was metered. */
+    metered: boolean;
     tone: string;
-    white: { kelvin: number; tint: number };
+    white: { kelvin: number; tint: number } | null;
     false_color: FalseColor | null;
 }
 
@@ -153,11 +158,11 @@ export interface Scene {
 }
 
 export interface Status {
-    fps: number;
-    batches: number;
-    error: number | null;
-    good_in: number | null;
-    size: [number, number];
+    fps?: number;
+    batches?: number;
+    error?: number | null;
+    good_in?: number | null;
+    size?: [number, number];
     stage: 'loading' | 'moving' | 'refining' | 'good' | 'done';
 }
 
@@ -196,8 +201,7 @@ export interface Share {
 export interface LinkEntry {
     id: Id;
     role: 'edit' | 'watch';
-    url: string;
-    uses?: number;
+    address: string;
 }
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };

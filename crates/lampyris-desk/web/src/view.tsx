@@ -4,20 +4,16 @@ import { signal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { drawOn, shown } from './frames';
 import { followPointer } from './pointer';
-import { cut, frameSelection, setCut, viewName } from './navigate';
+import { frameSelection, viewName } from './navigate';
 import { lampsSeen, overlayOn } from './overlay';
 import { probe, probeAt } from './probe';
 import { hovered, select, selectHit, selection, spot, tool } from './select';
 import { scene } from './store';
 import type { Id } from './types';
-import { digits } from './units';
-import { Range } from './range';
 import { applyTool } from './tools';
 import { openWhat } from './lights';
 import { Later } from './load';
 import { Banner } from './banner';
-import { ViewStrip } from './views';
-import { WalkPad } from './walkpad';
 
 const marquee = signal<{ from: [number, number]; to: [number, number] } | null>(null);
 
@@ -136,9 +132,9 @@ export function View() {
             {tool.value && <p class="hint" role="status">{TOOL_WORDS[tool.value]}</p>}
             <Banner />
             <Later part="Legend" />
-            <CutBar />
-            <ViewStrip />
-            <WalkPad />
+            <Later part="CutBar" />
+            <Later part="ViewStrip" />
+            <Later part="WalkPad" />
             <Later part="What" />
         </main>
     );
@@ -157,23 +153,5 @@ function Marquee() {
                 height={Math.abs(to[1] - from[1])}
             />
         </svg>
-    );
-}
-
-/** Where plan and elevations are cut: a camera's affair, the light stays as it is. */
-function CutBar() {
-    const now = cut.value;
-    if (!now) return null;
-    return (
-        <label class="cut" data-scroll>
-            <span>Cut</span>
-            <Range
-                label="Cut, from the side of the eye"
-                value={now.value / now.most}
-                text={`${digits(now.value, 2)} metres`}
-                on={(t) => setCut(t * now.most)}
-            />
-            <output>{digits(now.value, 2)} m</output>
-        </label>
     );
 }

@@ -51,15 +51,40 @@ export function send(message: { do: string } & Record<string, unknown>): number 
 
 let questions = 0;
 
-/** Asks; each answer goes to `answered` until one is the last. Returns how to stop hearing. */
-export function ask(what: string, question: Record<string, unknown>, answered: (answer: Message) => void): () => void {
+/** Questions on their way, by the number of their message: what to do if one is refused. */
+const asked = new Map<number, (why: string) => void>();
+
+/**
+ * Asks; each answer goes to `answered` until one is the last, a refusal to `refused`, which nobody else hears of.
+ * Returns how to stop hearing.
+ */
+export function ask(
+    what: string,
+    question: Record<string, unknown>,
+    answered: (answer: Message) => void,
+    refused: (why: string) => void = () => {},
+): () => void {
     const id = ++questions;
     const stop = hear('answer', (message) => {
         if (message.id !== id) return;
         if (message.done !== false) stop();
         answered(message);
     });
-    if (!send({ do: 'ask', id, what, ...question })) stop();
+    const number = send({ do: 'ask', id, what, ...question });
+    if (!number) {
+        stop();
+        refused('There is no connection to the program.');
+        return stop;
+    }
+    asked.set(number, (why) => {
+        stop();
+        refused(why);
+    });
+    // Numbers grow: whatever is older than a few hundred messages was answered.
+    for (const old of asked.keys()) {
+        if (old > number - 300) break;
+        asked.delete(old);
+    }
     return stop;
 }
 
@@ -74,8 +99,9 @@ function receive(message: Message): void {
             }
             build = message.build as string;
             role.value = message.role === 'watch' ? 'watch' : 'edit';
-            me.value = (message.you as string) ?? null;
+            me.value = message.you === undefined ? null : String(message.you);
             followed.value = 0;
+            asked.clear();
             line.value = 'open';
             break;
         case 'state':
@@ -91,6 +117,11 @@ function receive(message: Message): void {
         case 'refused':
             advance(message.seq as number);
             releaseUpTo(followed.value);
+            if (asked.has(message.seq as number)) {
+                asked.get(message.seq as number)?.((message.why as string) ?? '');
+                asked.delete(message.seq as number);
+                return;
+            }
             break;
         case 'event':
             if (message.what === 'bye') ended = true;

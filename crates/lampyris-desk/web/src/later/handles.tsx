@@ -1,8 +1,8 @@
 // What the handles hold: the lamps selected that have a place, the last of them under the hand.
 
 import {
-    chosenLamps, computed, editor, effect, fitted, Gesture, handles, lamps, lookOnly, pinhole, placed, positions, role,
-    selection, shown, titleOf, tool, useEffect, useRef, viewSize,
+    chosenLamps, computed, editor, effect, fitted, Gesture, handles, lamps, lookOnly, pinhole, placed, positionOf, positions, role,
+    selection, shown, titleOf, tool, useEffect, useRef, viewSize, type Lamp, type Vec,
 } from '../desk';
 import { mount, type Host, type Target } from './gizmo';
 
@@ -10,14 +10,13 @@ import { mount, type Host, type Target } from './gizmo';
 const target = computed<Target | null>(() => {
     if (selection.value?.kind !== 'lamp' && selection.value?.kind !== 'group') return null;
     if (lookOnly.value || role.value === 'watch' || !editor.value.you || tool.value === 'aim') return null;
-    const ids = chosenLamps.value.filter((id) => lamps.get(id)?.place?.position);
+    const ids = chosenLamps.value.filter((id) => positionOf(lamps.get(id) as Lamp));
     if (!ids.length) return null;
-    const place = lamps.get(ids[ids.length - 1])?.place;
-    if (!place?.position) return null;
+    const lamp = lamps.get(ids[ids.length - 1]) as Lamp;
     return {
-        position: place.position,
-        direction: place.direction ?? null,
-        aim: place.aim ?? null,
+        position: positionOf(lamp) as Vec,
+        direction: lamp.place?.direction ?? null,
+        aim: lamp.place?.aim ?? null,
         mode: handles.value,
     };
 });
@@ -30,7 +29,7 @@ const view = computed(() => {
     return { hole: pinhole(picture.camera, width, height), fit: fitted(width, height) };
 });
 
-const chosen = () => chosenLamps.peek().filter((id) => lamps.entry(id)?.shown.peek().place?.position);
+const chosen = () => chosenLamps.peek().filter((id) => lamps.entry(id));
 
 const host: Host = {
     effect,

@@ -1,8 +1,6 @@
 // All figures as CSV, made in the page: meters, then each grid with its points.
 
-import { maintenance } from './prefs';
-import { grids, meters, scene } from './store';
-import { add, scale } from './vec';
+import { add, grids, maintenance, meters, scale, scene } from '../desk';
 
 const cell = (value: unknown): string => {
     const text = value === null || value === undefined ? '' : String(value);

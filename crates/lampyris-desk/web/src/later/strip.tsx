@@ -1,14 +1,10 @@
 // The strip under the view: looks, and what meters and grids say.
 
-import { signal } from '@preact/signals';
-import { act, command, storeLook } from './actions';
-import { fade, maintenance } from './prefs';
-import { select, selection } from './select';
-import { grids, looks, meters, status } from './store';
+import {
+    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, signal, status,
+    storeLook,
+} from '../desk';
 import { saveCsv } from './csv';
-import { Field } from './field';
-import { Icon } from './icon';
-import { digits, luxText } from './units';
 
 const tab = signal<'looks' | 'meters'>('looks');
 
@@ -133,10 +129,10 @@ function Readings() {
 
 export function Strip() {
     return (
-        <section class="strip" aria-label="Looks and meters" data-tab={tab.value}>
+        <div class="strip-parts" data-tab={tab.value}>
             <Looks />
             <Readings />
-        </section>
+        </div>
     );
 }
 

@@ -1,7 +1,6 @@
 // Where there are fingers and no keys: a pad to walk with, at the left lower corner of the view.
 
-import { useRef } from 'preact/hooks';
-import { padWalk } from './keys';
+import { padWalk, useRef } from '../desk';
 
 export function WalkPad() {
     const knob = useRef<HTMLSpanElement>(null);

@@ -1,10 +1,6 @@
 // The strip of views: home, before and after, and the saved ones by number.
 
-import { act, storeView } from './actions';
-import { edit } from './gesture';
-import { go, viewName } from './navigate';
-import { views } from './store';
-import { Icon } from './icon';
+import { act, cut, digits, edit, go, Icon, Range, setCut, storeView, viewName, views } from '../desk';
 
 export function ViewStrip() {
     const saved = views.all();
@@ -24,7 +20,7 @@ export function ViewStrip() {
                     onClick={() => go(camera, camera.name ?? 'view')}
                     onDblClick={() => {
                         const name = prompt('Name of the view', camera.name ?? '');
-                        if (name) edit(`Rename the view ${name}`, { views: { [id]: { name } } });
+                        if (name) edit(`Rename the view ${name}`, { views: { [id]: { ...camera, name } } });
                     }}
                     onKeyDown={(e) => {
                         if (e.key !== 'Delete') return;
@@ -37,5 +33,23 @@ export function ViewStrip() {
             ))}
             <button class="icon" aria-label="Store this view" title="Store this view (Alt+0)" onClick={storeView}><Icon name="plus" /></button>
         </nav>
+    );
+}
+
+/** Where plan and elevations are cut: a camera's affair, the light stays as it is. */
+export function CutBar() {
+    const now = cut.value;
+    if (!now) return null;
+    return (
+        <label class="cut" data-scroll>
+            <span>Cut</span>
+            <Range
+                label="Cut, from the side of the eye"
+                value={now.value / now.most}
+                text={`${digits(now.value, 2)} metres`}
+                on={(t) => setCut(t * now.most)}
+            />
+            <output>{digits(now.value, 2)} m</output>
+        </label>
     );
 }
