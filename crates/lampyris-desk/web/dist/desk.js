@@ -1,0 +1,3478 @@
+// node_modules/preact/dist/preact.mjs
+var C, Or, Vo, We, $o, En, Nr, Mn, Fr, Lo, Po, ns, Bt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, $n = [], os = /^m(i|n|o|s|text|space)$/, Io = Array.isArray, Ao = $n.slice, nt = Object.assign;
+function tt(e) {
+  e && e.parentNode && e.remove();
+}
+function jr(e, t, n) {
+  var o, r, i, a = {}, l = arguments.length;
+  for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
+  return l > 2 && (a.children = l > 3 ? Ao.call(arguments, 2) : n), Wt(e, a, o, r, null);
+}
+function Wt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++Or, __i: -1, __u: 0 };
+  return !r && C.vnode && C.vnode(i), i;
+}
+function X(e) {
+  return e.children;
+}
+function wt(e, t) {
+  this.props = e, this.context = t, this.__g = 0;
+}
+function Be(e, t) {
+  if (t == null) return e.__ && Be(e.__, e.__i + 1);
+  for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
+  return typeof e.type != "function" || e.props.__P ? null : Be(e);
+}
+function rs(e) {
+  var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
+  a && ((t = nt({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ro(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, Gr(r, t, i), n.__ = n.__e = null, t.__e != o && qr(t));
+}
+function qr(e) {
+  if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
+    return t && (e.__e = t.__e);
+  }), qr(e);
+}
+function Dr(e) {
+  (8 & e.__g || (e.__g |= 8, We.push(e), En++)) && $o == C.debounceRendering || (($o = C.debounceRendering) || queueMicrotask)(Ur);
+}
+function Ur() {
+  try {
+    for (var e, t = 1; We.length; ) We.length > t && We.sort(Nr), e = We.shift(), t = We.length, 8 & e.__g && rs(e);
+  } finally {
+    (En = We.length) && ($o || queueMicrotask)(Ur);
+  }
+}
+function Wr(e, t, n, o, r, i, a, l, d, u, c) {
+  var p, m, f, _, k, S, y = o.__k || $n, b = t.length;
+  for (d = is(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || Tn, f.__i = p, S = Ro(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Ho(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = Br(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
+  return n.__e = k, d;
+}
+function is(e, t, n, o, r) {
+  var i, a, l, d, u, c, p, m, f, _ = n.length, k = _, S = 0, y = 0, b = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Wt(null, a) : Io(a) ? a = b[i] = Wt(X, { children: a }) : a.constructor === Bt && a.__b ? a = b[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = as(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+  if (y) {
+    for (c = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
+      for (S = 0, m = c.length; S < m; ) c[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
+      c[S] = a.__i, p[i] = S + 1;
+    }
+    for (S = c.length; i--; ) p[i] && (p[i] == S ? S-- : b[i].__u |= 4);
+  }
+  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Do(l, l));
+  return o;
+}
+function Br(e, t, n, o) {
+  var r, i, a, l;
+  if (typeof e.type == "function") {
+    if (e.props.__P) return t;
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Br(r[i], t, n, !1));
+    return t;
+  }
+  for (t && !t.parentNode && (t = Be(e)) && !t.parentNode && (t = null), a = e.__e, l = t; l && l.nodeType == 8; ) l = l.nextSibling;
+  for (a != l && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
+  return t;
+}
+function as(e, t, n, o) {
+  var r, i = e.key, a = e.type, l = t[n], d = l && !(2 & l.__u);
+  if (l === null && i == null || d && i == l.key && a == l.type) return n;
+  if (o > (d ? 1 : 0)) {
+    for (r = n - 1; r >= 0; r--) if ((l = t[r]) && !(2 & l.__u) && i == l.key && a == l.type) return r;
+    for (r = n + 1; r < t.length; r++) if ((l = t[r]) && !(2 & l.__u) && i == l.key && a == l.type) return r;
+  }
+  return -1;
+}
+function Kr(e, t, n) {
+  n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
+}
+function Sn(e, t, n, o, r) {
+  var i, a;
+  if (t == "style") if (typeof n == "string") e.style.cssText = n;
+  else {
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Kr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Kr(e.style, t, n[t]);
+  }
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Po[t] || (Po[t] = ss(t)), (e.__a || (e.__a = {}))[t] = Lo, i = t != (t = t.replace(Fr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else {
+    if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
+    else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
+      return void (e[t] = n ?? "");
+    } catch {
+    }
+    if (typeof n == "function") return;
+    n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
+  }
+}
+function ss(e) {
+  return function(t) {
+    var n = this.__e;
+    if (n) {
+      if (n = n[e], t[Mn] == null) t[Mn] = Lo++;
+      else if (t[Mn] < this.__a[e]) return;
+      return n(C.event ? C.event(t) : t);
+    }
+  };
+}
+function Ro(e, t, n, o, r, i, a, l, d, u) {
+  var c, p, m, f, _, k, S, y, b, R, L, qe, Ue, ke, ve, h, v, $, P = t.type;
+  if (t.constructor !== Bt) return null;
+  128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Cn(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
+  e: if (typeof P == "function") {
+    m = a.length;
+    try {
+      if (y = t.props, b = (c = P.prototype) && c.render, R = (c = P.contextType) && o[c.__c], L = c ? R ? R.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(y, L) : (t.__c = f = new wt(y, L), f.constructor = P, f.render = us), R && R.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = nt({}, f.__s)), nt(f.__s, P.getDerivedStateFromProps(y, f.__s)))), _ = f.props, k = f.state, f.__v = t, n.__c) {
+        if (y !== _ && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(y, L), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(y, f.__s, L) === !1) {
+          t.__v != n.__v && (f.props = y, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
+            V && (V.__ = t);
+          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), l = Be(n);
+          break e;
+        }
+        f.componentWillUpdate && f.componentWillUpdate(y, f.__s, L), b && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(_, k, S);
+        });
+      } else b && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), b && f.componentDidMount && f.__h.push(f.componentDidMount);
+      f.context = L, f.props = y, f.__P = e, f.__g &= -5, qe = C.__r, Ue = b ? 25 : 0;
+      do
+        f.__g &= -9, qe && qe(t), c = f.render(f.props, f.state = f.__s, f.context);
+      while (8 & f.__g && ++Ue < 25);
+      b && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = nt({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), ke = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
+        V && Do(V, V);
+      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Wr(e, Io(ke) ? ke : [ke], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(tt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch (V) {
+      if (a.length = m, t.__v = null, d || i) if (V && V.then) {
+        if (t.__u |= 128 | d, i) {
+          for (~(v = i.indexOf(l || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
+            if ($ == h) break;
+          } else {
+            if ($.nodeType != 8) break;
+            $.data.startsWith("$s") && (h = Cn(ve = $));
+          }
+        }
+        if (!ve) {
+          for (; l && l.nodeType == 8 && l.nextSibling; ) l = l.nextSibling;
+          ve = l;
+        }
+        (c = Cn(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, l = c) : t.__e = l, l = l && l.nextSibling;
+      } else i && i.some(tt);
+      else t.__e = n.__e;
+      t.__k || (t.__k = n.__k || []), V && V.then || zr(t), C.__e(V, t, n);
+    }
+  } else l = t.__e = ls(n.__e, t, n, o, r, i, a, d, u, e);
+  return (c = C.diffed) && c(t), l;
+}
+function Cn(e, t) {
+  if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
+    if (e.nodeType == 8) {
+      if (e.data.startsWith("$s")) n++;
+      else if (e.data.startsWith("/$s") && !--n) return e;
+    }
+    t && t.push(e);
+  }
+}
+function zr(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(zr));
+}
+function Gr(e, t, n) {
+  for (var o = 0; o < n.length; ) Ho(n[o++], n[o++], n[o++]);
+  C.__c && C.__c(t, e), e.some(function(r) {
+    try {
+      e = r.__h, r.__h = [], e.some(function(i) {
+        i.call(r);
+      });
+    } catch (i) {
+      C.__e(i, r.__v);
+    }
+  });
+}
+function ls(e, t, n, o, r, i, a, l, d, u) {
+  var c, p, m, f, _, k, S, y, b = n.props || Tn, R = t.props, L = t.type;
+  if (L == "svg" ? r = "http://www.w3.org/2000/svg" : L == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (c = 0; c < i.length; c++) if ((_ = i[c]) && (L ? _.localName == L : _.nodeType == 3)) {
+      e = _, i[c] = null;
+      break;
+    }
+  }
+  if (!e) {
+    if (y = u.ownerDocument || document, !L) return y.createTextNode(R);
+    e = y.createElementNS(r, L, R.is ? R : u), l && (C.__m && C.__m(t, i), l = !1), i = null;
+  }
+  if (L) {
+    if (u = L == "template" && e.content || e, i = L == "textarea" && R.defaultValue != null ? null : i && Ao.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
+    for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || Sn(e, c, null, _, r);
+    for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || Sn(e, c, _, b[c], r);
+    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (L == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && os.test(L)) && (r = "http://www.w3.org/1999/xhtml"), Wr(u, Io(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(tt)), l && L != "textarea" || (c = "value", L == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (L != "progress" || k) || Sn(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && Sn(e, c, S, b[c], r));
+  } else b === R || l && e.data == R || (e.data = R);
+  return e;
+}
+function Ho(e, t, n, o) {
+  try {
+    typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
+  } catch (r) {
+    C.__e(r, n);
+  }
+}
+function Do(e, t, n) {
+  var o, r, i, a;
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Ho(o, null, t, e), o = e.__c) {
+    if (o.componentWillUnmount) try {
+      o.componentWillUnmount();
+    } catch (l) {
+      C.__e(l, t);
+    }
+    o.__P = o.__n = null;
+  }
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Do(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = Cn(o, i = [])) && (o == e.__e && i.some(tt), tt(r), tt(o)), n || tt(e.__e), e.__e = e.__c = e.__ = null;
+}
+function us(e, t, n) {
+  return this.constructor(e, n);
+}
+function Xr(e, t) {
+  var n, o, r, i;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(X, { children: [e] }), r = [], i = [], Ro(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Ao.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), Gr(r, t.__k, i), t.__k.props.children = null;
+}
+C = { __e: function(e, t, n, o) {
+  for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
+    r.__g |= 4;
+    try {
+      if ((a = (i = r.constructor) && i.getDerivedStateFromError) && r.setState(i.getDerivedStateFromError(e)), r.componentDidCatch && (r.componentDidCatch(e, o || {}), a = 1), a && 8 & r.__g) return void (r.__g |= 2);
+    } catch (l) {
+      e = l;
+    }
+  }
+  throw En = 0, e;
+} }, Or = 0, Vo = function(e) {
+  return e != null && e.constructor === Bt;
+}, wt.prototype.setState = function(e, t) {
+  var n = this.__s;
+  n && n != this.state || (n = this.__s = nt({}, this.state)), typeof e == "function" && (e = e(nt({}, n), this.props)), e && (nt(n, e), this.__v && (t && this.__k.push(t), Dr(this)));
+}, wt.prototype.forceUpdate = function(e) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Dr(this));
+}, wt.prototype.render = X, We = [], En = 0, Nr = function(e, t) {
+  return e.__v.__b - t.__v.__b;
+}, Mn = /* @__PURE__ */ Symbol(), Fr = /(PointerCapture)$|Capture$/i, Lo = 0, Po = {}, ns = 0;
+
+// node_modules/preact/hooks/dist/hooks.mjs
+var Pn, ue, Ko, Yr, cs = Object.is, Oo = 0, ii = [], No = [], z = C, Qr = z.__b, Jr = z.__r, Zr = z.diffed, ei = z.__c, ti = z.unmount, ni = z.__;
+function ai(e, t) {
+  z.__h && z.__h(ue, e, Oo || t), Oo = 0;
+  var n = ue.__H || (ue.__H = { __: [], __h: [] });
+  return e >= n.__.length && n.__.push({}), n.__[e];
+}
+function Ce(e, t) {
+  var n = ai(Pn++, 3);
+  !z.__s && si(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
+}
+function oe(e) {
+  return Oo = 5, Vn(function() {
+    return { current: e };
+  }, []);
+}
+function Vn(e, t) {
+  var n = ai(Pn++, 7);
+  return si(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+}
+function fs() {
+  var e;
+  do {
+    for (; e = No.shift(); ) try {
+      zt(e);
+    } catch (n) {
+      z.__e(n, { __: (e = e.__P) && e.__v });
+    }
+    for (; e = ii.shift(); ) {
+      var t = e.__H;
+      if (e.__P && t) try {
+        t.__h.some(zt), t.__h.some(Fo), t.__h = [];
+      } catch (n) {
+        t.__h = [], z.__e(n, e.__v);
+      }
+    }
+  } while (No.length);
+}
+z.__b = function(e) {
+  ue = null, Qr && Qr(e);
+}, z.__ = function(e, t) {
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ni && ni(e, t);
+}, z.__r = function(e) {
+  Jr && Jr(e), Pn = 0;
+  var t = (ue = e.__c).__H;
+  t && (Ko == ue ? ue.__h = [] : (t.__h.some(zt), t.__h.some(Fo), Pn = 0), t.__h = [], t.__.some(function(n) {
+    n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
+  })), Ko = ue;
+}, z.diffed = function(e) {
+  Zr && Zr(e);
+  var t = e.__c;
+  t && t.__H && (t.__H.__h.length && ri(ii.push(t)), t.__H.__.some(function(n) {
+    n.u && (n.__H = n.u);
+  })), Ko = ue = null;
+}, z.__c = function(e, t) {
+  t.some(function(n) {
+    try {
+      n.__h.some(zt), n.__h = n.__h.filter(function(o) {
+        return !o.__ || Fo(o);
+      });
+    } catch (o) {
+      n.__h = [function() {
+        throw o;
+      }];
+    }
+  }), ei && ei(e, t);
+}, z.unmount = function(e) {
+  ti && ti(e);
+  var t, n, o = e.__c;
+  o && o.__H && (o.__H.__.some(function(r) {
+    try {
+      if (r.__P && r.__c) {
+        if (n === void 0) {
+          for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
+          n = n && n.__c;
+        }
+        r.__P = n, ri(No.push(r));
+      } else zt(r);
+    } catch (i) {
+      t = i;
+    }
+  }), o.__H = void 0, t && z.__e(t, o.__v));
+};
+var oi = typeof requestAnimationFrame == "function";
+function ps(e) {
+  var t, n = function() {
+    clearTimeout(o), oi && cancelAnimationFrame(t), setTimeout(e);
+  }, o = setTimeout(n, 35);
+  oi && (t = requestAnimationFrame(n));
+}
+function ri(e) {
+  e != 1 && Yr == z.requestAnimationFrame || ((Yr = z.requestAnimationFrame) || ps)(fs);
+}
+function zt(e) {
+  var t = ue, n = e.__c;
+  typeof n == "function" && (e.__c = void 0, n()), ue = t;
+}
+function Fo(e) {
+  var t = ue;
+  e.__c = e.__(), ue = t;
+}
+function si(e, t) {
+  return !e || e.length != t.length || t.some(function(n, o) {
+    return !cs(n, e[o]);
+  });
+}
+
+// node_modules/@preact/signals-core/dist/signals-core.module.js
+var ds = /* @__PURE__ */ Symbol.for("preact-signals");
+function Rn() {
+  if (Re > 1)
+    Re--;
+  else {
+    var e, t = !1;
+    for ((function() {
+      var r = In;
+      for (In = void 0; r !== void 0; ) {
+        var i = r.S;
+        if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
+        r = r.o;
+      }
+    })(); Xt !== void 0; ) {
+      var n = Xt;
+      for (Xt = void 0, Ln++; n !== void 0; ) {
+        var o = n.u;
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && ui(n)) try {
+          n.c();
+        } catch (r) {
+          t || (e = r, t = !0);
+        }
+        n = o;
+      }
+    }
+    if (Ln = 0, Re--, t) throw e;
+  }
+}
+function Hn(e) {
+  if (Re > 0) return e();
+  jo = ++ms, Re++;
+  try {
+    return e();
+  } finally {
+    Rn();
+  }
+}
+var Gt, O = void 0;
+function se(e) {
+  var t = O, n = Gt;
+  O = void 0, Gt = void 0;
+  try {
+    return e();
+  } finally {
+    O = t, Gt = n;
+  }
+}
+var Xt = void 0, Re = 0, Ln = 0, ms = 0, jo = 0, In = void 0, An = 0;
+function li(e) {
+  if (O !== void 0) {
+    var t = e.n;
+    if (t === void 0 || t.t !== O)
+      return t = { i: 0, S: e, p: O.s, n: void 0, t: O, e: void 0, x: void 0, r: t }, O.s !== void 0 && (O.s.n = t), O.s = t, e.n = t, 32 & O.f && e.S(t), t;
+    if (t.i === -1)
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = O.s, t.n = void 0, O.s.n = t, O.s = t), t;
+  }
+}
+function Y(e, t) {
+  this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
+}
+Y.prototype.brand = ds;
+Y.prototype.h = function() {
+  return !0;
+};
+Y.prototype.S = function(e) {
+  var t = this, n = this.t;
+  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : se(function() {
+    var o;
+    (o = t.W) == null || o.call(t);
+  }));
+};
+Y.prototype.U = function(e) {
+  var t = this;
+  if (this.t !== void 0) {
+    var n = e.e, o = e.x;
+    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && se(function() {
+      var r;
+      (r = t.Z) == null || r.call(t);
+    }));
+  }
+};
+Y.prototype.subscribe = function(e) {
+  var t = this;
+  return T(function() {
+    var n = t.value;
+    se(function() {
+      return e(n);
+    });
+  }, { name: "sub" });
+};
+Y.prototype.valueOf = function() {
+  return this.value;
+};
+Y.prototype.toString = function() {
+  return this.value + "";
+};
+Y.prototype.toJSON = function() {
+  return this.value;
+};
+Y.prototype.peek = function() {
+  var e = this;
+  return se(function() {
+    return e.value;
+  });
+};
+Object.defineProperty(Y.prototype, "value", { get: function() {
+  var e = li(this);
+  return e !== void 0 && (e.i = this.i), this.v;
+}, set: function(e) {
+  if (e !== this.v) {
+    if (Ln > 100) throw new Error("Cycle detected");
+    (function(n) {
+      Re !== 0 && Ln === 0 && n.l !== jo && (n.l = jo, In = { S: n, v: n.v, i: n.i, o: In });
+    })(this), this.v = e, this.i++, An++, Re++;
+    try {
+      for (var t = this.t; t !== void 0; t = t.x) t.t.N();
+    } finally {
+      Rn();
+    }
+  }
+} });
+function g(e, t) {
+  return new Y(e, t);
+}
+function ui(e) {
+  for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
+  return !1;
+}
+function ci(e) {
+  for (var t = e.s; t !== void 0; t = t.n) {
+    var n = t.S.n;
+    if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
+      e.s = t;
+      break;
+    }
+  }
+}
+function fi(e) {
+  for (var t = e.s, n = void 0; t !== void 0; ) {
+    var o = t.p;
+    t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
+  }
+  e.s = n;
+}
+function ot(e, t) {
+  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = An - 1, this.f = 4;
+}
+ot.prototype = new Y();
+ot.prototype.h = function() {
+  if (this.f &= -3, 1 & this.f) return !1;
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
+  if (this.g = An, this.f |= 1, this.i > 0 && !ui(this))
+    return this.f &= -2, !0;
+  var e = O;
+  try {
+    ci(this), O = this;
+    var t = this.x();
+    (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
+  } catch (n) {
+    this.v = n, this.f |= 16, this.i++;
+  }
+  return O = e, fi(this), this.f &= -2, !0;
+};
+ot.prototype.S = function(e) {
+  if (this.t === void 0) {
+    this.f |= 36;
+    for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
+  }
+  Y.prototype.S.call(this, e);
+};
+ot.prototype.U = function(e) {
+  if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
+    this.f &= -33;
+    for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
+  }
+};
+ot.prototype.N = function() {
+  if (!(2 & this.f)) {
+    this.f |= 6;
+    for (var e = this.t; e !== void 0; e = e.x) e.t.N();
+  }
+};
+Object.defineProperty(ot.prototype, "value", { get: function() {
+  if (1 & this.f) throw new Error("Cycle detected");
+  var e = li(this);
+  if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
+  return this.v;
+} });
+function G(e, t) {
+  return new ot(e, t);
+}
+function pi(e) {
+  var t = e.j;
+  if (e.j = void 0, typeof t == "function") {
+    Re++;
+    var n = O;
+    O = void 0;
+    try {
+      t();
+    } catch (o) {
+      throw e.f &= -2, e.f |= 8, qo(e), o;
+    } finally {
+      O = n, Rn();
+    }
+  }
+}
+function qo(e) {
+  for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
+  e.x = void 0, e.s = void 0, pi(e);
+}
+function hs(e) {
+  if (O !== this) throw new Error("Out-of-order effect");
+  fi(this), O = e, this.f &= -2;
+  try {
+    8 & this.f && qo(this);
+  } finally {
+    Rn();
+  }
+}
+function kt(e, t) {
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Gt && Gt.push(this);
+}
+kt.prototype.c = function() {
+  var e = this.S();
+  try {
+    if (8 & this.f || this.x === void 0) return;
+    var t = this.x();
+    typeof t == "function" && (this.j = t);
+  } finally {
+    e();
+  }
+};
+kt.prototype.S = function() {
+  if (1 & this.f) throw new Error("Cycle detected");
+  this.f |= 1, this.f &= -9, pi(this), ci(this), Re++;
+  var e = O;
+  return O = this, hs.bind(this, e);
+};
+kt.prototype.N = function() {
+  2 & this.f || (this.f |= 2, this.u = Xt, Xt = this);
+};
+kt.prototype.d = function() {
+  this.f |= 8, 1 & this.f || qo(this);
+};
+kt.prototype.dispose = function() {
+  this.d();
+};
+function T(e, t) {
+  var n = new kt(e, t);
+  try {
+    n.c();
+  } catch (r) {
+    throw n.d(), r;
+  }
+  var o = n.d.bind(n);
+  return o[Symbol.dispose] = o, o;
+}
+
+// node_modules/@preact/signals/dist/signals.module.js
+var Uo, Qt, Dn, vs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, di = [], mi = [];
+T(function() {
+  Uo = this.N;
+})();
+function xt(e, t) {
+  C[e] = t.bind(null, C[e] || function() {
+  });
+}
+function Yt(e) {
+  if (Dn) {
+    var t = Dn;
+    Dn = void 0, t();
+  }
+  Dn = e && e.S();
+}
+function hi(e) {
+  var t = this, n = e.data, o = rt(n);
+  o.name = "ReactiveDom", o.value = n;
+  var r = Vn(function() {
+    for (var l = t, d = t.__v; d = d.__; ) if (d.__c) {
+      d.__c.__$f |= 4;
+      break;
+    }
+    var u = G(function() {
+      var f = o.value.value;
+      return f === 0 ? 0 : f === !0 ? "" : f || "";
+    }), c = G(function() {
+      return !Array.isArray(u.value) && !Vo(u.value);
+    }), p = T(function() {
+      if (this.N = vi, c.value) {
+        var f = u.value;
+        l.__v && l.__v.__e && l.__v.__e.nodeType === 3 && (l.__v.__e.data = f);
+      }
+    }), m = t.__$u.d;
+    return t.__$u.d = function() {
+      p(), m.call(this);
+    }, [c, u];
+  }, []), i = r[0], a = r[1];
+  return i.value ? a.peek() : a.value;
+}
+hi.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: jr(X, null).constructor }, type: { configurable: !0, value: hi }, props: { configurable: !0, get: function() {
+  var e = this;
+  return { data: { get value() {
+    return e.value;
+  } } };
+} }, __b: { configurable: !0, value: 1 } });
+xt("__b", function(e, t) {
+  if (Yt(), Qt = void 0, typeof t.type == "string") {
+    var n, o = t.props;
+    for (var r in o) if (r !== "children") {
+      var i = o[r];
+      i instanceof Y && (n || (t.__np = n = {}), n[r] = i, o[r] = i.peek());
+    }
+  }
+  e(t);
+});
+xt("__r", function(e, t) {
+  if (e(t), t.type !== X) {
+    Yt();
+    var n, o = t.__c;
+    o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
+      var a;
+      return T(function() {
+        a = this;
+      }, { name: i }), a.c = r, a;
+    })(/* @__PURE__ */ (function(r) {
+      return function() {
+        var i;
+        vs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+      };
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Qt = o, Yt(n);
+  }
+});
+xt("__e", function(e, t, n, o) {
+  Yt(), Qt = void 0, e(t, n, o);
+});
+xt("diffed", function(e, t) {
+  Yt(), Qt = void 0;
+  var n;
+  if (typeof t.type == "string" && (n = t.__e)) {
+    var o = t.__np, r = t.props, i = n.U;
+    if (i) for (var a in i) {
+      var l = i[a];
+      l === void 0 || o && a in o || (l.d(), i[a] = void 0);
+    }
+    if (o) {
+      i || (i = {}, n.U = i);
+      for (var d in o) {
+        var u = i[d], c = o[d];
+        u === void 0 ? (u = gs(n, d, c, r), i[d] = u) : u.o(c, r);
+      }
+    }
+  }
+  e(t);
+});
+function gs(e, t, n, o) {
+  var r = t in e && e.ownerSVGElement === void 0, i = g(n);
+  return { o: function(a, l) {
+    i.value = a, o = l;
+  }, d: T(function() {
+    this.N = vi;
+    var a = i.value.value;
+    o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
+  }) };
+}
+xt("unmount", function(e, t) {
+  if (typeof t.type == "string") {
+    var n = t.__e;
+    if (n) {
+      var o = n.U;
+      if (o) {
+        n.U = void 0;
+        for (var r in o) {
+          var i = o[r];
+          i && i.d();
+        }
+      }
+    }
+    var a = t.__np;
+    if (a) {
+      var l = t.props;
+      for (var d in a) l[d] = a[d];
+    }
+    t.__np = void 0;
+  } else {
+    var u = t.__c;
+    if (u) {
+      u.__$f |= 8;
+      var c = u.__$u;
+      c && (u.__$u = void 0, c.d());
+    }
+  }
+  e(t);
+});
+xt("__h", function(e, t, n, o) {
+  o < 3 && (t.__$f |= 2), e(t, n, o);
+});
+wt.prototype.shouldComponentUpdate = function(e, t) {
+  if (this.__R) return !0;
+  var n = this.__$u, o = n && n.s !== void 0;
+  for (var r in t) return !0;
+  if (this.__f || typeof this.u == "boolean" && this.u === !0) {
+    var i = 2 & this.__$f;
+    if (!(o || i || 4 & this.__$f) || 1 & this.__$f) return !0;
+  } else if (!(o || 4 & this.__$f) || 3 & this.__$f) return !0;
+  for (var a in e) if (a !== "__source" && e[a] !== this.props[a]) return !0;
+  for (var l in this.props) if (!(l in e)) return !0;
+  return !1;
+};
+function rt(e, t) {
+  return Vn(function() {
+    return g(e, t);
+  }, []);
+}
+var bs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+  var t = function() {
+    clearTimeout(n), cancelAnimationFrame(o), e();
+  }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
+}, _s = function(e) {
+  queueMicrotask(function() {
+    queueMicrotask(e);
+  });
+};
+function ys() {
+  Hn(function() {
+    for (var e; e = di.shift(); ) Uo.call(e);
+  });
+}
+function ws() {
+  di.push(this) === 1 && (C.requestAnimationFrame || bs)(ys);
+}
+function ks() {
+  Hn(function() {
+    for (var e; e = mi.shift(); ) Uo.call(e);
+  });
+}
+function vi() {
+  mi.push(this) === 1 && (C.requestAnimationFrame || _s)(ks);
+}
+function gi(e, t) {
+  var n = oe(e);
+  n.current = e;
+  var o = Qt;
+  Ce(function() {
+    return T(function() {
+      if (this.N = ws, !(o && 8 & o.__$f)) return n.current();
+    }, t);
+  }, []);
+}
+
+// src/store.ts
+var Kn = /* @__PURE__ */ new Set(), St = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function en(e, t) {
+  if (!St(e) || !St(t)) return t;
+  let n = { ...e };
+  for (let [o, r] of Object.entries(t)) n[o] = en(n[o], r);
+  return n;
+}
+var Jt = class {
+  constructor(t) {
+    this.server = t;
+    this.shown = g(t);
+  }
+  server;
+  shown;
+  own = /* @__PURE__ */ new Map();
+  /** The server's word. */
+  receive(t) {
+    this.server = t, this.show();
+  }
+  /** The page's word, until a patch of `seq`; infinite while it is held. */
+  keep(t, n) {
+    for (let [o, r] of Object.entries(t)) {
+      let i = this.shown.peek()[o];
+      this.own.set(o, { value: en(i, r), seq: n });
+    }
+    Kn.add(this), this.show();
+  }
+  /** The hand has let go: these fields wait for a patch of `seq` from now on. */
+  settle(t, n) {
+    for (let o of Object.keys(t)) {
+      let r = this.own.get(o);
+      r && (r.seq = n);
+    }
+  }
+  /** Forgets what the server has followed. */
+  release(t) {
+    let n = !1;
+    for (let [o, r] of this.own)
+      r.seq <= t && (n = this.own.delete(o) || n);
+    this.own.size === 0 && Kn.delete(this), n && this.show();
+  }
+  show() {
+    if (this.own.size === 0) {
+      this.shown.value = this.server;
+      return;
+    }
+    let t = {};
+    for (let [n, o] of this.own) t[n] = o.value;
+    this.shown.value = { ...this.server, ...t };
+  }
+}, Ee = class {
+  /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
+  ids = g([]);
+  entries = /* @__PURE__ */ new Map();
+  get(t) {
+    if (t == null) return;
+    let n = this.entries.get(t);
+    if (n) return n.shown.value;
+    this.ids.value;
+  }
+  entry(t) {
+    return this.entries.get(t);
+  }
+  /** All entries; whoever asks inside of an effect hears of each change. */
+  all() {
+    return this.ids.value.map((t) => [t, this.entries.get(t).shown.value]);
+  }
+  whole(t) {
+    let n = /* @__PURE__ */ new Map();
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new Jt(r));
+    this.entries = n, this.number();
+  }
+  patch(t) {
+    let n = !1;
+    for (let [o, r] of Object.entries(t)) {
+      let i = Number(o), a = this.entries.get(i);
+      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new Jt(r)), n = !0);
+    }
+    n && this.number();
+  }
+  number() {
+    this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
+  }
+}, w = new Ee(), D = new Ee(), ge = new Ee(), tn = new Ee(), Mt = new Ee(), Ct = new Ee(), He = new Ee(), it = new Ee(), Zt = {
+  lamps: w,
+  groups: D,
+  things: ge,
+  materials: tn,
+  views: Mt,
+  looks: Ct,
+  meters: He,
+  grids: it
+}, ee = g(null), On = g([]), xe = g([]), at = g({ undo: null, redo: null, steps: 0 }), st = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), Te = g(null), Nn = new Jt({
+  ev: null,
+  metered: !1,
+  tone: "filmic",
+  white: null,
+  false_color: null
+}), lt = Nn.shown, Wo = {
+  scene: ee,
+  layers: On,
+  solo: xe,
+  history: at,
+  saved: st,
+  editor: te,
+  status: Te
+};
+function bi(e) {
+  Kn.clear();
+  for (let [t, n] of Object.entries(Zt)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(Wo)) t in e && (n.value = e[t]);
+  St(e.display) && Nn.receive(e.display);
+}
+function _i(e, t) {
+  for (let [n, o] of Object.entries(e))
+    n in Zt ? Zt[n].patch(o) : n === "display" ? Nn.receive(o) : n in Wo && (Wo[n].value = o);
+  Et(t);
+}
+function Et(e) {
+  for (let t of [...Kn]) t.release(e);
+}
+function yi(e, t) {
+  for (let [n, o] of Object.entries(e))
+    if (n in Zt && St(o))
+      for (let [r, i] of Object.entries(o)) {
+        let a = Zt[n].entry(Number(r));
+        a && St(i) && t(a, i);
+      }
+    else n === "display" && St(o) && t(Nn, o);
+}
+var Bo = (e, t) => yi(e, (n, o) => n.keep(o, t)), Fn = (e, t) => yi(e, (n, o) => n.settle(o, t));
+function Se(e) {
+  let t = D.get(e.group);
+  return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
+}
+var wi = G(() => {
+  let e = w.all();
+  return e.length > 0 && e.every(([, t]) => Se(t) === 0);
+});
+
+// src/say.ts
+var ut = g([]), xs = 0;
+function Q(e, t = "plain") {
+  if (ut.peek().find((r) => r.text === e)) return;
+  let o = ++xs;
+  ut.value = [...ut.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => zo(o), t === "warn" ? 8e3 : 4e3);
+}
+function zo(e) {
+  ut.value = ut.peek().filter((t) => t.id !== e);
+}
+
+// src/counters.ts
+var le = {
+  frame: 0,
+  seqApplied: 0,
+  frames: [],
+  sent: [],
+  entered: 0,
+  firstDrawn: 0
+}, ki = 0;
+for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
+  addEventListener(e, (t) => ki = t.timeStamp, { capture: !0, passive: !0 });
+function xi(e, t) {
+  le.sent.push({ seq: e, what: t, at: performance.now(), input: ki }), le.sent.length > 1024 && le.sent.shift();
+}
+function Si(e) {
+  le.frame = e.frame, le.seqApplied = e.seq, le.firstDrawn ||= e.drawn, le.frames.push(e), le.frames.length > 1024 && le.frames.shift(), requestAnimationFrame(() => {
+    let t = new MessageChannel();
+    t.port1.onmessage = () => {
+      e.painted = performance.now(), t.port1.close();
+    }, t.port2.postMessage(0);
+  });
+}
+window.__desk = le;
+
+// src/wire.ts
+var U = g("entering"), rn = g(0), me = g("edit"), Qo = g(null), De = g(0), Mi = () => null, Ci = (e) => {
+  Mi = e;
+}, Xo = /* @__PURE__ */ new Map(), ze = null, nn = 0, Go = null, on = 0, Tt = "", jn = !1;
+function $e(e, t) {
+  let n = Xo.get(e) ?? /* @__PURE__ */ new Set();
+  return Xo.set(e, n.add(t)), () => n.delete(t);
+}
+function N(e) {
+  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (nn += 1, ze.send(JSON.stringify({ ...e, seq: nn })), e.do !== "ack" && xi(nn, e.do), nn);
+}
+var Ss = 0, ct = /* @__PURE__ */ new Map();
+function Me(e, t, n, o = () => {
+}) {
+  let r = ++Ss, i = $e("answer", (l) => {
+    l.id === r && (l.done !== !1 && i(), n(l));
+  }), a = N({ do: "ask", id: r, what: e, ...t });
+  if (!a)
+    return i(), o("There is no connection to the program."), i;
+  ct.set(a, (l) => {
+    i(), o(l);
+  });
+  for (let l of ct.keys()) {
+    if (l > a - 300) break;
+    ct.delete(l);
+  }
+  return i;
+}
+function Ms(e) {
+  switch (e.is) {
+    case "hello":
+      if (on = 0, Go !== null && e.build !== Go) {
+        U.value = "renewed", ze?.close();
+        return;
+      }
+      Go = e.build, me.value = e.role === "watch" ? "watch" : "edit", Qo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ct.clear(), U.value = "open";
+      break;
+    case "state":
+      bi(e.state ?? e);
+      break;
+    case "patch":
+      Yo(e.seq), _i(e.patch ?? {}, De.value);
+      break;
+    case "status":
+      Te.value = e;
+      break;
+    case "refused":
+      if (Yo(e.seq), Et(De.value), ct.has(e.seq)) {
+        ct.get(e.seq)?.(e.why ?? ""), ct.delete(e.seq);
+        return;
+      }
+      break;
+    case "event":
+      e.what === "bye" && (jn = !0);
+      break;
+  }
+  for (let t of [...Xo.get(e.is) ?? []]) t(e);
+}
+function Yo(e) {
+  typeof e == "number" && e > De.value && (De.value = e);
+}
+async function Ei() {
+  if (!Tt) return "in";
+  try {
+    return (await fetch("/enter", {
+      method: "POST",
+      headers: { "content-type": "application/json" },
+      body: JSON.stringify({ key: Tt })
+    })).ok ? "in" : "denied";
+  } catch {
+    return "away";
+  }
+}
+function Ti() {
+  let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
+  t.binaryType = "arraybuffer";
+  let n = !1;
+  ze = t, t.onmessage = (o) => {
+    if (t !== ze) return;
+    if (typeof o.data != "string") {
+      let i = Mi(o.data);
+      i && Yo(i.seq);
+      return;
+    }
+    let r = JSON.parse(o.data);
+    r.is === "hello" && (n = !0, nn = 0), Ms(r);
+  }, t.onclose = () => {
+    t === ze && (ze = null, U.value !== "renewed" && Cs(n));
+  };
+}
+async function Cs(e) {
+  if (Et(1 / 0), !e && await Es()) {
+    let o = await Ei();
+    if (o === "denied" || o === "in" && on > 4 && !Tt) {
+      U.value = "denied";
+      return;
+    }
+  }
+  on += 1;
+  let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
+  on > 3 && t && (jn = !0), U.value = jn ? "ended" : "lost";
+  let n = Math.min(5, on);
+  for (let o = n; o > 0; o--)
+    rn.value = o, await new Promise((r) => setTimeout(r, 1e3));
+  rn.value = 0, Ti();
+}
+async function Es() {
+  try {
+    return (await fetch("/", { method: "HEAD", cache: "no-store" })).ok;
+  } catch {
+    return !1;
+  }
+}
+async function $i() {
+  let e = location.hash.slice(1);
+  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ei() === "denied") {
+    U.value = "denied";
+    return;
+  }
+  Ti();
+}
+$e("hello", () => jn = !1);
+
+// src/gesture.ts
+var $t = 0, Li = /* @__PURE__ */ new Set(), Ii = (e) => {
+  Li.add(e);
+}, an = /* @__PURE__ */ new Set();
+function qn() {
+  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : me.value === "watch" ? "You are watching. Ask for the pen to change things." : te.value.you ? null : `${te.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
+}
+var Pi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ke = class {
+  constructor(t) {
+    this.label = t;
+  }
+  label;
+  waiting = null;
+  touched = {};
+  under = 0;
+  last = 0;
+  state = "new";
+  /** A new value of the control. */
+  set(t) {
+    this.state === "over" || !this.begin() || (Bo(t, 1 / 0), this.touched = en(this.touched, t), this.waiting = en(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
+  }
+  /** Any other message that belongs to this step. */
+  also(t) {
+    this.state === "over" || !this.begin() || (this.flush(), this.last = N(t));
+  }
+  end(t) {
+    this.state === "held" && (this.flush(), Fn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Pi(t) } : {} })), this.state = "over";
+  }
+  cancel() {
+    this.state === "held" && (this.waiting = null, Fn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+  }
+  /** The server has followed so far. */
+  followed() {
+    this.waiting && this.under <= De.peek() && this.flush();
+  }
+  /** The line is gone, and with it what was held. */
+  drop() {
+    this.state = "over", an.delete(this), $t = 0;
+  }
+  begin() {
+    if (this.state === "held") return !0;
+    let t = se(qn);
+    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", an.add(this), $t === 0 && Li.forEach((n) => n()), $t++ === 0 && (this.last = N({ do: "begin", label: Pi(this.label) })), !0);
+  }
+  flush() {
+    this.waiting && (this.under = this.last = N({ do: "set", patch: this.waiting }), this.waiting = null);
+  }
+  finish(t) {
+    an.delete(this), $t = Math.max(0, $t - 1), $t === 0 && N(t);
+  }
+};
+function ce(e, t) {
+  let n = new Ke(e);
+  n.set(t), n.end();
+}
+function Un(e, t) {
+  let n = new Ke(e);
+  n.also(t), n.end();
+}
+function Pt(e) {
+  se(() => U.value) === "open" && (Bo({ display: e }, 1 / 0), Fn({ display: e }, N({ do: "display", patch: e })));
+}
+var Pe = null;
+function Ai(e, t, n) {
+  Pe && Pe.key !== e && Vi(), Pe ??= { key: e, gesture: new Ke(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Vi, 700);
+}
+function Vi() {
+  Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
+}
+T(() => {
+  De.value, se(() => [...an].forEach((e) => e.followed()));
+});
+T(() => {
+  U.value !== "open" && [...an].forEach((e) => e.drop());
+});
+
+// src/vec.ts
+var M = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], A = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], x = (e, t) => [e[0] * t, e[1] * t, e[2] * t], F = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], fe = (e, t) => [
+  e[1] * t[2] - e[2] * t[1],
+  e[2] * t[0] - e[0] * t[2],
+  e[0] * t[1] - e[1] * t[0]
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), Ve = (e, t) => Oe(A(e, t)), Ts = (e, t, n) => M(x(e, 1 - n), x(t, n));
+function j(e, t = [0, 0, 1]) {
+  let n = Oe(e);
+  return n > 1e-12 ? x(e, 1 / n) : t;
+}
+function ft(e) {
+  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
+  return j(fe(t, e));
+}
+function sn(e, t, n) {
+  let o = Math.cos(n), r = Math.sin(n);
+  return M(M(x(e, o), x(fe(t, e), r)), x(t, F(t, e) * (1 - o)));
+}
+function ln([e, t]) {
+  return Array.from({ length: 8 }, (n, o) => [
+    o & 1 ? t[0] : e[0],
+    o & 2 ? t[1] : e[1],
+    o & 4 ? t[2] : e[2]
+  ]);
+}
+var pt = ([e, t]) => Ts(e, t, 0.5);
+
+// src/camera.ts
+var Jo = Math.PI / 180, Wn = 89 * Jo;
+function Vt(e, t, n) {
+  let o = j(A(e.target, e.eye), [0, 0, -1]), r = j(fe(o, e.up), ft(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * Jo * 0.5) / n;
+  return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: l, parallel: a };
+}
+function un(e, t) {
+  let n = A(t, e.eye), o = F(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  return [e.width / 2 + F(n, e.side) / r, e.height / 2 - F(n, e.up) / r, o];
+}
+function $s(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = M(x(e.side, o), x(e.up, r));
+  return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: j(M(e.forward, i)) };
+}
+function Ri(e, t, n, o) {
+  let r = A(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(j(r), t)))), l = A(r, x(t, F(r, t))), d = j(Oe(l) > 1e-6 * i ? l : A(e.up, x(t, F(e.up, t))), ft(t)), u = Math.max(-Wn, Math.min(Wn, a + o)), c = sn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
+  return { ...e, up: t, target: M(e.eye, x(p, i)) };
+}
+function Hi(e, t, n, o, r) {
+  let i = A(e.target, e.eye), a = A(i, x(t, F(i, t))), l = j(Oe(a) > 1e-6 ? a : e.up, ft(t)), d = j(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
+  return Ge(e, u);
+}
+function Di(e, t, n, o, r) {
+  let i = j(A(e.target, e.eye)), a = j(fe(i, e.up), ft(i));
+  return Ge(e, M(M(x(i, n), x(a, o)), x(t, r)));
+}
+function Ge(e, t) {
+  return { ...e, eye: M(e.eye, t), target: M(e.target, t) };
+}
+function Ki(e, t, n, o, r) {
+  let i = j(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), l = Math.max(-Wn, Math.min(Wn, a + r)), d = j(fe(i, t), j(fe(i, e.up), ft(i))), u = (c) => sn(sn(c, d, l - a), t, o);
+  return {
+    ...e,
+    up: t,
+    eye: M(n, u(A(e.eye, n))),
+    target: M(n, u(A(e.target, n)))
+  };
+}
+function Oi(e, t, n, o, r) {
+  let i = t.parallel ? t.pixel : t.pixel * r;
+  return Ge(e, M(x(t.side, -n * i), x(t.up, o * i)));
+}
+function Bn(e, t, n, o, r) {
+  let i = A(t, e.eye), a = Oe(i);
+  if (a < 1e-9) return e;
+  let l = a * (1 - n);
+  return r ? l = Math.sign(l) * Math.max(Math.abs(l), 0.5 * Math.abs(1 - n)) : l > 0 && (l = Math.max(0, Math.min(l, a - o))), Ge(e, x(i, l / a));
+}
+function zn(e, t, n, o, r) {
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, l = M(
+    x(t.side, (n - t.width / 2) * a),
+    x(t.up, (t.height / 2 - o) * a)
+  );
+  return { ...Ge(e, l), height: i };
+}
+function Ni(e, t, n = 0.4) {
+  let o = pt(t), r = Math.max(Ve(t[0], t[1]) / 2, 0.15), i = j(A(e.eye, e.target));
+  if (e.height) {
+    let l = F(A(e.eye, o), i);
+    return { ...e, eye: M(o, x(i, l)), target: o, height: r * 3 };
+  }
+  let a = Math.max(1.5 * r / Math.tan(e.fov * Jo * 0.5), n + r);
+  return { ...e, eye: M(o, x(i, a)), target: o };
+}
+var Ps = ["plan", "ceiling", "north", "east", "south", "west"];
+function Vs(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = j(fe(e, t));
+  return { right: j(fe(n, e)), ahead: n };
+}
+function Fi(e, t, n, o) {
+  let { right: r, ahead: i } = Vs(n), a = pt(t), l = (_) => Math.abs(F(A(t[1], t[0]), _)), u = {
+    plan: { forward: x(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: x(i, -1), side: r, cut: 0.35 },
+    north: { forward: i, up: n, side: r, cut: 0.25 },
+    south: { forward: x(i, -1), up: n, side: r, cut: 0.25 },
+    east: { forward: r, up: n, side: i, cut: 0.25 },
+    west: { forward: x(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], c = l(u.forward), p = 1, m = A(a, x(u.forward, c / 2 + p)), f = 1.08 * Math.max(l(u.up), l(u.side) / o, 0.1);
+  return { eye: m, target: a, up: u.up, fov: 50, height: f, near: p + c * u.cut };
+}
+function cn(e, t) {
+  let n = (r, i) => Ve(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+  return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
+}
+
+// src/frames.ts
+var W = g(null), It = g(0), ji = ["moving", "settled", "final"], qi = 32, Lt = /* @__PURE__ */ new Map(), Le = null, Zo = null, er = !1, dt = null;
+function Ls(e) {
+  if (e.byteLength < qi) return null;
+  let t = new DataView(e);
+  return { head: {
+    frame: t.getUint32(0, !0),
+    seq: t.getUint32(4, !0),
+    camera: t.getUint32(8, !0),
+    width: t.getUint16(12, !0),
+    height: t.getUint16(14, !0),
+    kind: ji[Math.min(t.getUint8(16), 2)],
+    falseColor: (t.getUint8(18) & 1) === 1,
+    batches: t.getUint32(20, !0),
+    error: t.getFloat32(24, !0),
+    light: t.getUint16(28, !0) / 10,
+    encode: t.getUint16(30, !0) / 10
+  }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
+}
+function Is(e) {
+  let t = Ls(e);
+  return t ? (dt && N({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, er || As(), t.head) : null;
+}
+async function As() {
+  for (er = !0; dt; ) {
+    let { head: e, mime: t, bytes: n, received: o } = dt;
+    dt = null;
+    try {
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, qi)], { type: t }));
+      Rs(e, r, n.byteLength, o);
+    } catch {
+    }
+    N({ do: "ack", frame: e.frame });
+  }
+  er = !1;
+}
+function Rs(e, t, n, o) {
+  let r = performance.now();
+  Le && Zo && ((Le.width !== t.width || Le.height !== t.height) && (Le.width = t.width, Le.height = t.height), Zo.drawImage(t, 0, 0)), t.close();
+  let i = Lt.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Hs(), Si({
+    frame: e.frame,
+    seq: e.seq,
+    kind: ji.indexOf(e.kind),
+    width: e.width,
+    height: e.height,
+    bytes: n,
+    batches: e.batches,
+    received: o,
+    decoded: r,
+    drawn: performance.now(),
+    painted: 0,
+    light: e.light,
+    encode: e.encode
+  });
+}
+var Gn = [];
+function Hs() {
+  let e = performance.now();
+  Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), It.value = Gn.length;
+}
+function tr(e) {
+  Le = e, Zo = e?.getContext("2d", { alpha: !1 }) ?? null;
+}
+function Ui() {
+  if (!Le || !W.peek()) return null;
+  let e = document.createElement("canvas");
+  return e.width = Le.width, e.height = Le.height, e.getContext("2d", { alpha: !1 })?.drawImage(Le, 0, 0), e;
+}
+Ci(Is);
+$e("camera", (e) => {
+  Lt.set(e.number, e);
+  for (let t of Lt.keys()) {
+    if (Lt.size <= 64) break;
+    Lt.delete(t);
+  }
+});
+$e("hello", () => {
+  Lt.clear(), dt = null;
+});
+
+// src/prefs.ts
+var Wi = "lampyris-";
+function pe(e, t) {
+  let n = t;
+  try {
+    let r = localStorage.getItem(Wi + e);
+    r !== null && (n = JSON.parse(r));
+  } catch {
+  }
+  let o = g(n);
+  return T(() => {
+    let r = JSON.stringify(o.value);
+    try {
+      localStorage.setItem(Wi + e, r);
+    } catch {
+    }
+  }), o;
+}
+var nr = pe("theme", "dark"), or = pe("house-lights", 1), Xn = pe("hands", "default"), rr = pe("walking", "walk"), ir = pe("panels", !0), At = pe("listing", "faders"), Yn = pe("travel", "square"), Rt = pe("candles", "lx"), Bi = pe("single-keys", !0), ar = pe("lamp-marks", !0), Ds = pe("maintenance", 1), Xe = pe("fine", !1), sr = pe("fade", 1), Ks = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ie = pe("look-only", Ks);
+
+// src/select.ts
+var E = g(null), ne = g(null), K = g(null), Os = g("move"), re = G(() => {
+  let e = E.value;
+  return e?.kind === "lamp" ? e.ids.filter((t) => w.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
+});
+function be(e, t, n = "only") {
+  let o = E.peek();
+  if (n === "only" || o?.kind !== e) {
+    E.value = { kind: e, ids: [t] };
+    return;
+  }
+  let r = o.ids.includes(t);
+  if (r && n === "add") return;
+  let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
+  E.value = i.length ? { kind: e, ids: i } : null;
+}
+function Qn() {
+  E.value = null;
+}
+function zi(e, t, n) {
+  let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
+  if (r < 0) return be(e, n);
+  let i = t.indexOf(n), [a, l] = r < i ? [r, i] : [i, r], d = t.slice(a, l + 1), u = (o?.ids ?? []).filter((c) => !d.includes(c));
+  E.value = { kind: e, ids: [...u, ...r < i ? d : d.reverse()] };
+}
+function Ns(e) {
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? ge.ids.peek() : D.ids.peek();
+  if (!o.length) return;
+  let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
+  be(n, o[(r + e + o.length) % o.length]);
+}
+function Gi(e, t) {
+  switch (e) {
+    case "lamp":
+      return w.get(t)?.name ?? `lamp ${t}`;
+    case "group":
+      return D.get(t)?.name ?? `group ${t}`;
+    case "thing":
+      return ge.get(t)?.name ?? `thing ${t}`;
+    case "material":
+      return tn.get(t)?.name ?? `material ${t}`;
+    default:
+      return `${e} ${t}`;
+  }
+}
+function Ye(e) {
+  return e.length === 1 ? Gi("lamp", e[0]) : `${e.length} lamps`;
+}
+function Xi(e, t) {
+  let n = [];
+  if (e?.lamp != null) {
+    n.push({ kind: "lamp", ids: [e.lamp] });
+    let i = w.get(e.lamp)?.group;
+    i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+  }
+  if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
+    t === "only" && Qn();
+    return;
+  }
+  if (t !== "only") return be(n[0].kind, n[0].ids[0], t);
+  let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
+  E.value = n[(r + 1) % n.length];
+}
+var Jn = g(null);
+
+// src/navigate.ts
+var Fs = 1.6, _e = g(null), Ne = G(() => ee.value?.up ?? [0, 0, 1]), ye = g([640, 480]), Dt = g(null), cr = null, fn = null, lr = !1, Qe = [], pr = [], fr = 0;
+function J(e, t = null) {
+  let n = _e.peek();
+  if (n && cn(n, e)) return;
+  let o = performance.now();
+  n && (o - fr > 1e3 || t) && (Qe.push(n), Qe.length > 100 && Qe.shift(), pr.length = 0), fr = o, _e.value = e, Dt.value = t;
+}
+var ie = () => _e.peek();
+function js() {
+  Qi(Qe, pr);
+}
+function qs() {
+  Qi(pr, Qe);
+}
+function Qi(e, t) {
+  let n = e.pop();
+  if (!n) return;
+  let o = _e.peek();
+  o && t.push(o), fr = performance.now(), _e.value = n, Dt.value = null;
+}
+T(() => {
+  !_e.value || U.value !== "open" || me.value === "watch" || lr || (lr = !0, requestAnimationFrame(() => {
+    lr = !1;
+    let t = _e.peek();
+    if (!t || fn && cn(fn, t)) return;
+    let { eye: n, target: o, up: r, fov: i, height: a, near: l } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
+    a && (d.height = a), l && (d.near = l), N(d) && (fn = t);
+  }));
+});
+T(() => {
+  let e = W.value;
+  e && se(() => {
+    _e.peek() && me.peek() === "edit" || (fn = e.camera, _e.value = e.camera, cr ??= e.camera);
+  });
+});
+$e("hello", () => fn = null);
+function Kt(e, t) {
+  let n = W.peek();
+  if (!n) return null;
+  let { head: o } = n, r = pn(o.width, o.height);
+  return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
+}
+function pn(e, t) {
+  let [n, o] = ye.peek(), r = Math.min(n / e, o / t);
+  return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
+}
+function mt(e = _e.peek()) {
+  let [t, n] = ye.peek();
+  return e ? Vt(e, t, n) : null;
+}
+var dn = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => pt(dn());
+function Zn(e, t) {
+  let n = ie();
+  n && J(Ri(n, Ne.peek(), e, t));
+}
+function eo(e, t, n) {
+  let o = ie();
+  o && J(Ki(o, Ne.peek(), e, t, n));
+}
+function Nt(e, t, n) {
+  let o = ie(), r = mt();
+  o && r && J(Oi(o, r, e, t, n));
+}
+function Ji(e, t, n) {
+  let o = ie();
+  if (o) {
+    if (o.height) {
+      let r = mt(o);
+      r && J(Ge(o, M(x(r.side, t), x(r.up, e))));
+      return;
+    }
+    rr.peek() === "fly" || n !== 0 ? J(Di(o, Ne.peek(), e, t, n)) : (J(Hi(o, Ne.peek(), e, t, 0)), Us());
+  }
+}
+var Ht = !1, ur = !0, Yi = null;
+function Us() {
+  let e = ie();
+  if (!e || Ht || !ur) return;
+  let t = Ne.peek();
+  Ht = !0;
+  let n = Me("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
+    Ht = !1, ur = !0;
+    let r = ie();
+    if (!o.hit || !r || r.height) return;
+    Yi = F(o.point, t);
+    let i = Yi + Fs - F(r.eye, t);
+    Math.abs(i) > 0.01 && J(Ge(r, x(t, i * 0.5)));
+  }, () => {
+    Ht = !1, ur = !1;
+  });
+  setTimeout(() => {
+    Ht && n(), Ht = !1;
+  }, 500);
+}
+function Ws() {
+  let e = E.peek();
+  if (!e) return null;
+  let t = [], n = (i, a) => {
+    i ? t.push(i) : a && t.push([a, a]);
+  };
+  for (let i of e.ids)
+    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(ge.get(i)?.box), e.kind === "meter" && n(null, He.get(i)?.point), e.kind === "group")
+      for (let a of D.get(i)?.lamps ?? []) n(w.get(a)?.box, w.get(a)?.place?.position);
+  if (!t.length) return null;
+  let o = t.flatMap(ln), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
+  return [r(Math.min), r(Math.max)];
+}
+function dr() {
+  let e = ie(), t = Ws();
+  e && t ? J(Ni(e, t), "selection") : mr();
+}
+function mr() {
+  cr && J(cr, "home");
+}
+function Bs(e) {
+  let [t, n] = ye.peek();
+  J(Fi(e, dn(), Ne.peek(), t / n), e);
+}
+function zs() {
+  for (let e = Qe.length - 1; e >= 0; e--)
+    if (!Qe[e].height) return J(Qe[e], "inside");
+  mr();
+}
+var Gs = G(() => {
+  let e = _e.value;
+  if (!e?.height) return null;
+  let t = Vt(e, 2, 2), n = ln(dn()).map((o) => F(A(o, e.eye), t.forward));
+  return { value: e.near ?? 0, most: Math.max(...n) };
+});
+function Xs(e) {
+  let t = ie();
+  t && (_e.value = { ...t, near: Math.max(0, e) });
+}
+
+// src/tools.ts
+var to = g("spot"), mn = null;
+function hr(e) {
+  mn = null, K.value = K.peek() === e ? null : e;
+}
+function ea(e) {
+  if (!e) return Q("There is nothing at that point.", "warn");
+  switch (K.peek()) {
+    case "aim":
+      ta(re.peek(), e.point), K.value = null;
+      break;
+    case "meter":
+      na(e.point, e.normal), K.value = null;
+      break;
+    case "grid":
+      if (!mn) {
+        mn = e;
+        return;
+      }
+      Qs(mn.point, e.point), mn = null, K.value = null;
+      break;
+    case "add":
+      Js(to.peek(), e), K.value = null;
+      break;
+  }
+}
+function ta(e, t) {
+  let n = {};
+  for (let o of e) {
+    let r = w.get(o)?.place;
+    !r?.position || !r.direction || (n[o] = { place: { aim: t, direction: j(A(t, r.position)) } });
+  }
+  if (!Object.keys(n).length) return Q("What is selected shines into all directions: it cannot be aimed.", "warn");
+  ce(`Aim ${Ye(e)}`, { lamps: n });
+}
+function vr(e, t) {
+  let n = new Set(e.ids.peek()), o = e.ids.subscribe((r) => {
+    let i = r.filter((a) => !n.has(a));
+    i.length && (be(t, i[i.length - 1]), queueMicrotask(() => o()));
+  });
+  setTimeout(() => o(), 3e3);
+}
+var hn = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function na(e, t) {
+  let n = hn(He);
+  vr(He, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+}
+function Ys(e) {
+  return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
+}
+function Qs(e, t, n = { lux: 500, uniformity: 0.6 }) {
+  let o = Ne.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = j(fe(o, r)), a = A(t, e), [l, d] = [F(a, r), F(a, i)];
+  if (Math.abs(l) < 0.05 || Math.abs(d) < 0.05) return Q("An area needs two corners that lie apart.", "warn");
+  let u = M(e, M(x(r, Math.min(l, 0)), x(i, Math.min(d, 0))));
+  [l, d] = [Math.abs(l), Math.abs(d)];
+  let c = (m) => Math.max(1, Math.ceil(m / Ys(Math.max(l, d)))), p = hn(it);
+  vr(it, "grid"), ce("Lay a grid", {
+    grids: {
+      [p]: {
+        name: `Area ${p + 1}`,
+        corner: u,
+        u: x(r, l),
+        v: x(i, d),
+        normal: o,
+        columns: c(l),
+        rows: c(d),
+        target: n
+      }
+    }
+  });
+}
+var Zi = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function Js(e, t) {
+  let n = Ne.peek(), o = F(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
+  e !== "point" && e !== "sphere" && (a.direction = i), e === "spot" && Object.assign(a, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (a.radius = 0.15), e === "sphere" && (a.radius = 0.08);
+  let l = w.all().filter(([, d]) => d.own).length;
+  vr(w, "lamp"), Un(`Add ${Zi[e]?.toLowerCase() ?? e} lamp`, {
+    do: "add",
+    lamp: { name: `${Zi[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
+  });
+}
+function Zs(e, t, n) {
+  !e.length || t < 1 || Un(`Copy ${Ye(e)}`, { do: "copy", lamps: e, count: t, step: n });
+}
+function el(e) {
+  e.length && Un(`Remove ${Ye(e)}`, { do: "remove", lamps: e });
+}
+function tl(e, t, n) {
+  let o = {};
+  for (let r of e) {
+    let i = w.get(r)?.place, a = n.get(r);
+    if (!a) continue;
+    let l = M(a, t), d = i?.aim && Ve(i.aim, l) > 1e-6 ? { direction: j(A(i.aim, l)) } : {};
+    o[r] = { place: { position: l, ...d } };
+  }
+  return { lamps: o };
+}
+function no(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? pt(e.box) : null);
+}
+function nl(e) {
+  let t = /* @__PURE__ */ new Map();
+  for (let n of e) {
+    let o = w.get(n), r = o && no(o);
+    r && t.set(n, r);
+  }
+  return t;
+}
+
+// src/actions.ts
+var ht = g(null), Je = g("lamps"), oa = g("");
+function ro(e) {
+  let t = qn();
+  t ? Q(t, "warn") : N(e);
+}
+var ol = (e, t) => Object.fromEntries(e.map((n) => [n, t])), rl = {
+  quantity: "illuminance",
+  low: 1,
+  high: 1e3,
+  scale: "log",
+  palette: "viridis",
+  lines: !1
+}, gr = rl, il = () => lt.peek().false_color ?? gr;
+function br() {
+  let e = lt.peek().false_color;
+  e && (gr = e), Pt({ false_color: e ? null : gr });
+}
+function io(e) {
+  let t = Math.round(((lt.peek().ev ?? 0) + e / 3) * 30) / 30;
+  Pt({ ev: t });
+}
+function al() {
+  let e = ie();
+  if (!e) return;
+  let t = hn(Mt);
+  ce("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+}
+var sl = () => ro({ do: "look", what: "store", name: `Look ${hn(Ct) + 1}` });
+async function _r(e) {
+  let t = !1;
+  try {
+    await navigator.clipboard.writeText(e), t = !0;
+  } catch {
+    let n = document.createElement("textarea");
+    n.value = e, n.className = "spoken", document.body.append(n), n.select(), t = document.execCommand("copy"), n.remove();
+  }
+  Q(t ? "Copied." : `Copy it by hand: ${e}`);
+}
+var vn = /* @__PURE__ */ new Map(), oo = null;
+function ll(e) {
+  vn = new Map(e.map((t) => [t.id, t])), oo && Z(oo), oo = null;
+}
+var ra = (e) => vn.get(e), ia = (e) => vn.get(e)?.why?.() ?? null;
+function Z(e) {
+  let t = vn.get(e);
+  vn.size || (oo = e);
+  let n = t?.why?.();
+  n ? Q(n, "warn") : t?.run();
+}
+
+// src/before.ts
+var gn = g(null), he = g(null), ul = g(0.5);
+function cl() {
+  let e = W.peek(), t = Ui();
+  e && t && (gn.value = { picture: t, camera: e.camera });
+}
+Ii(() => {
+  he.peek() !== "wipe" && cl();
+});
+function aa() {
+  let e = gn.peek(), t = W.peek();
+  if (!e || !t) Q("Nothing has been changed yet.");
+  else if (!cn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  else return !0;
+  return !1;
+}
+function bn(e) {
+  e ? he.peek() === null && aa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
+}
+function fl() {
+  he.value = he.peek() === "wipe" ? null : aa() ? "wipe" : null;
+}
+
+// node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
+var pl = /* @__PURE__ */ Symbol.for("pv"), dl = 0;
+function s(e, t, n, o, r, i) {
+  t || (t = {});
+  var a, l, d = t;
+  if ("ref" in d && typeof e != "function") for (l in d = {}, t) l == "ref" ? a = t[l] : d[l] = t[l];
+  var u = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: pl, __v: --dl, __i: -1, __u: 0 };
+  return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
+}
+
+// src/load.tsx
+var la = g(null), sa = !1;
+function ae({ part: e }) {
+  let t = la.value?.[e];
+  return t ? s(t, {}) : null;
+}
+function ua() {
+  T(() => {
+    if (sa || !(W.value ?? E.value)) return;
+    sa = !0;
+    let e = "./gizmo.js";
+    setTimeout(() => {
+      import(e).then((t) => la.value = t);
+    }, 0);
+  });
+}
+
+// src/units.ts
+var ao = 0.3048, ca = {
+  level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
+  flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
+  kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
+  angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
+  length: {
+    bare: 1,
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: ao, "'": ao, in: ao / 12, '"': ao / 12 },
+    low: -1e6,
+    high: 1e6,
+    say: `a length such as 2.4 m, 75 cm or 8'2"`
+  },
+  lux: { bare: 1, units: { lx: 1, klx: 1e3, fc: 10.7639 }, low: 0, high: 1e9, say: "an illuminance such as 500 lx" },
+  share: { bare: 1, units: { "%": 0.01 }, low: 0, high: 1, say: "a share from 0 to 1 or 0 to 100 %" },
+  number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
+  ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
+  seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
+}, ml = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function yr(e) {
+  let t = ml.exec(e);
+  if (!t) return null;
+  let [n, o] = t[0].split("/").map(Number);
+  return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
+}
+function fa(e, t, n) {
+  let o = e.trim(), r = 0, i = !0;
+  for (; o; ) {
+    let a = 1, l = /^[+-]\s*/.exec(o);
+    l && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(l[0].length));
+    let d = yr(o);
+    if (!d) return null;
+    let u = /^[a-zµ°%'"×]+/i.exec(d.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
+    if (c === void 0) return null;
+    r += a * d.value * c, o = d.rest.slice(u.length).trim(), i = !1;
+  }
+  return i ? null : r;
+}
+function pa(e, t, n) {
+  let o = ca[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
+    apply: (S) => Math.min(o.high, Math.max(o.low, k(S)))
+  });
+  if (!r) return { why: `Type ${o.say}` };
+  let l = r.toLowerCase();
+  if (t === "level" && l === "full") return a(() => 1);
+  if (t === "level" && (l === "out" || l === "off")) return a(() => 0);
+  let d = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
+  if (d && t !== "ev") {
+    let k = yr(d[1].trim());
+    return !k || k.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((S) => S * 2 ** k.value);
+  }
+  let u = /^([*/×÷])\s*(.+)$/.exec(r);
+  if (u) {
+    let k = yr(u[2]);
+    if (!k) return i;
+    let S = k.rest === "%" ? 0.01 : k.rest === "" ? 1 : NaN, y = k.value * S;
+    return !Number.isFinite(y) || y === 0 && /[/÷]/.test(u[1]) ? i : a((b) => /[/÷]/.test(u[1]) ? b / y : b * y);
+  }
+  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = fa(m, o, o.bare);
+  if (f === null && t === "level" && n) {
+    let k = fa(m, { ...ca.flux }, NaN);
+    f = k === null || Number.isNaN(k) ? null : k / n;
+  }
+  if (f === null || !Number.isFinite(f)) return i;
+  let _ = f;
+  return p ? a((k) => p[1] === "-" ? k - _ : k + _) : _ < o.low || _ > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => _);
+}
+function B(e, t = 0) {
+  if (!Number.isFinite(e)) return "–";
+  let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
+  return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
+}
+function Ae(e) {
+  let t = Math.abs(e);
+  return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
+}
+function Fe(e) {
+  let t = e * 100;
+  return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
+}
+function so(e, t) {
+  switch (t) {
+    case "level":
+      return `${Fe(e)} %`;
+    case "flux":
+      return `${Ae(e)} lm`;
+    case "kelvin":
+      return `${B(e)} K`;
+    case "angle":
+      return `${B(e, 1)}°`;
+    case "length":
+      return `${B(e, 2)} m`;
+    case "lux":
+      return `${Ae(e)} lx`;
+    case "seconds":
+      return `${B(e, 1)} s`;
+    case "ev":
+      return B(e, 1);
+    case "share":
+      return B(e, 2);
+    case "number":
+      return String(Math.round(e * 1e4) / 1e4);
+  }
+}
+function vt(e, t = !0) {
+  let n = Rt.value === "fc", o = n ? e / 10.7639 : e;
+  return Ae(o) + (t ? n ? " fc" : " lx" : "");
+}
+
+// src/field.tsx
+function gt(e) {
+  let t = rt(null), n = rt(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : so(e.value, e.quantity));
+  Ce(() => {
+    !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
+  }, [e.open]);
+  let a = () => {
+    if (t.value === null) return;
+    let p = pa(t.value, e.quantity, e.flux);
+    if ("why" in p) {
+      n.value = p.why;
+      return;
+    }
+    t.value = null, n.value = null, e.set(p.apply);
+  }, l = (p) => {
+    if (p.key === "Enter")
+      p.preventDefault(), a(), t.value === null && o.current?.select();
+    else if (p.key === "Escape")
+      p.stopPropagation(), t.value === null && o.current?.blur(), t.value = null, n.value = null;
+    else if ((p.key === "ArrowUp" || p.key === "ArrowDown") && e.step && t.value === null) {
+      p.preventDefault();
+      let m = (p.key === "ArrowUp" ? 1 : -1) * e.step * (p.shiftKey ? 10 : p.ctrlKey ? 0.1 : 1);
+      e.set((f) => f + m);
+    }
+  }, d = (p) => {
+    !e.scrub || e.disabled || p.button !== 0 || document.activeElement === o.current || (r.current = { x: p.clientX, last: p.clientX, moved: !1 }, o.current?.setPointerCapture(p.pointerId), p.preventDefault());
+  }, u = (p) => {
+    let m = r.current;
+    !m || !e.scrub || !m.moved && Math.abs(p.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((p.clientX - m.last) * (e.step ?? 1) * (p.shiftKey ? 0.1 : p.altKey ? 10 : 1)), m.last = p.clientX);
+  }, c = (p) => {
+    let m = r.current;
+    r.current = null, m && (m.moved ? p.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
+  };
+  return s("span", { class: `field ${n.value ? "wrong" : ""} ${e.scrub ? "scrubs" : ""}`, children: [
+    s(
+      "input",
+      {
+        ref: o,
+        id: e.id,
+        type: "text",
+        inputMode: "text",
+        autoComplete: "off",
+        spellcheck: !1,
+        value: i,
+        disabled: e.disabled,
+        title: e.why ?? void 0,
+        "aria-label": e.label,
+        "aria-invalid": n.value ? !0 : void 0,
+        "aria-errormessage": n.value ? `${e.id ?? e.label}-why`.replace(/\s/g, "-") : void 0,
+        onInput: (p) => {
+          t.value = p.currentTarget.value, n.value = null;
+        },
+        onFocus: (p) => t.value === null && p.currentTarget.select(),
+        onBlur: () => {
+          a(), n.value && (t.value = null, setTimeout(() => n.value = null, 4e3));
+        },
+        onKeyDown: l,
+        onPointerDown: d,
+        onPointerMove: u,
+        onPointerUp: c,
+        onPointerCancel: c
+      }
+    ),
+    n.value && s("span", { class: "why", role: "alert", id: `${e.id ?? e.label}-why`.replace(/\s/g, "-"), children: n.value })
+  ] });
+}
+
+// src/icon.tsx
+function q({ name: e }) {
+  return s("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: s("use", { href: `icons.svg#${e}` }) });
+}
+
+// src/menu.tsx
+function Ft({ id: e, label: t, title: n, children: o }) {
+  let r = (a) => {
+    let l = document.getElementById(e), d = a.getBoundingClientRect();
+    l?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), l?.style.setProperty("top", `${d.bottom + 4}px`);
+  };
+  return s(X, { children: [
+    s("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
+    s("div", { id: e, popover: "auto", class: "menu", children: o })
+  ] });
+}
+function wr({ id: e, label: t }) {
+  let n = ia(e), o = ra(e);
+  return s(
+    "button",
+    {
+      class: "item",
+      "aria-disabled": n !== null,
+      title: n ?? void 0,
+      onClick: (r) => {
+        r.currentTarget.closest("[popover]")?.hidePopover(), Z(e);
+      },
+      children: [
+        s("span", { children: t ?? o?.label }),
+        s("kbd", { children: o?.keys })
+      ]
+    }
+  );
+}
+
+// src/bar.tsx
+var da = {
+  clean: "nothing changed",
+  saved: "saved",
+  waiting: "saving…",
+  failed: "not saved"
+};
+function ma() {
+  let e = lt.value, t = at.value.undo, n = at.value.redo, o = st.value, r = e.metered;
+  return s("header", { class: "bar", children: [
+    s(Ft, { id: "page-menu", label: s(q, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
+    s("h1", { title: o.file || ee.value?.file, children: [
+      ee.value?.name ?? "Lampyris",
+      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": da[o.state], title: `${da[o.state]}${o.file ? `: ${o.file}` : ""}` })
+    ] }),
+    s("span", { class: "group", children: [
+      s("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => Z("undo"), children: s(q, { name: "undo" }) }),
+      s("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => Z("redo"), children: s(q, { name: "redo" }) })
+    ] }),
+    s(Ft, { id: "view-menu", label: s(X, { children: [
+      "View ",
+      s(q, { name: "down" })
+    ] }), title: "View", children: s(ae, { part: "ViewItems" }) }),
+    s("span", { class: "group wide", children: [
+      s("button", { "aria-pressed": !1, onClick: () => Z("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      s("button", { onClick: () => Z("inside"), title: "Inside (Shift+0)", children: "Inside" })
+    ] }),
+    s("span", { class: "gap" }),
+    s(Ft, { id: "seeing-menu", label: s(X, { children: [
+      "Picture ",
+      s(q, { name: "down" })
+    ] }), title: "Tone and white", children: s(ae, { part: "SeeingItems" }) }),
+    s("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
+    s("button", { "aria-pressed": he.value === "wipe", "aria-disabled": gn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    s("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
+      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => io(1), children: s(q, { name: "minus" }) }),
+      s("label", { children: [
+        s("span", { "aria-hidden": "true", children: "EV" }),
+        s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Pt({ ev: i(e.ev ?? 0) }) })
+      ] }),
+      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => io(-1), children: s(q, { name: "plus" }) }),
+      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => N({ do: "expose" }), children: s(q, { name: r ? "lock" : "meter" }) })
+    ] }),
+    s(
+      "button",
+      {
+        class: "icon look-lock",
+        "aria-pressed": Ie.value,
+        "aria-label": "Look-only lock",
+        title: "Look-only lock: no finger changes anything",
+        onClick: () => Ie.value = !Ie.value,
+        children: s(q, { name: Ie.value ? "lock" : "unlock" })
+      }
+    ),
+    me.value === "edit" && s("button", { class: "wide", onClick: () => ht.value = "share", children: "Share" }),
+    s("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ht.value = "help", children: s(q, { name: "help" }) }),
+    s("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ht.value = "palette", children: s(q, { name: "search" }) }),
+    s(
+      "button",
+      {
+        class: "icon narrow",
+        "aria-label": Je.value === "inspector" ? "Lamps" : "Inspector",
+        title: Je.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Je.value = Je.value === "inspector" ? "lamps" : "inspector",
+        children: s(q, { name: Je.value === "inspector" ? "lamps" : "sliders" })
+      }
+    )
+  ] });
+}
+
+// src/highlight.ts
+function lo(e) {
+  xe.value = e, N({ do: "solo", lamps: e });
+}
+function kr(e) {
+  let t = xe.peek(), n = e.every((o) => t.includes(o));
+  lo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+}
+var hl = () => kr(re.peek()), xr = () => lo([]), _n = null;
+function uo(e) {
+  e && _n === null && re.peek().length ? (_n = xe.peek(), lo(re.peek())) : !e && _n !== null && (lo(_n), _n = null);
+}
+
+// src/lights.ts
+var Ze = g(null), Sr = () => {
+}, va = () => {
+};
+function co(e, t, n) {
+  fo(), Ze.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ha(n);
+  let o = !0, r = 0;
+  va = T(() => {
+    for (let [, i] of w.all()) Se(i);
+    if (o) {
+      o = !1;
+      return;
+    }
+    clearTimeout(r), r = window.setTimeout(() => {
+      let i = se(() => Ze.value);
+      i && ha(i.hit);
+    }, 250);
+  });
+}
+function ha(e) {
+  Sr(), Sr = Me("light", { point: e.point, normal: e.normal }, (t) => {
+    let n = Ze.peek();
+    n && (Ze.value = {
+      ...n,
+      lux: t.lux ?? n.lux,
+      lamps: t.lamps ?? n.lamps,
+      done: t.done !== !1
+    });
+  });
+}
+function fo() {
+  Sr(), va(), Ze.value = null;
+}
+
+// src/keys.ts
+var vl = g("W A S D"), Mr = {
+  KeyW: [1, 0, 0],
+  KeyS: [-1, 0, 0],
+  KeyA: [0, -1, 0],
+  KeyD: [0, 1, 0],
+  KeyQ: [0, 0, -1],
+  KeyE: [0, 0, 1]
+}, gl = 1.8, jt = /* @__PURE__ */ new Set(), po = !1, mo = 1, Cr = !1, Er = 0;
+function xa(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Er) / 1e3));
+  if (Er = e, !jt.size) {
+    Cr = !1;
+    return;
+  }
+  let [n, o, r] = [0, 0, 0];
+  for (let l of jt) {
+    let [d, u, c] = Mr[l];
+    n += d, o += u, r += c;
+  }
+  let i = Math.max(1, Ve(...dn()) / 12), a = gl * t * mo * Math.min(i, 6);
+  (n || o || r) && Ji(n * a, o * a, r * a), requestAnimationFrame(xa);
+}
+function yn(e) {
+  jt.add(e), !Cr && (Cr = !0, Er = performance.now(), requestAnimationFrame(xa));
+}
+var bl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function ga() {
+  let e = document.activeElement;
+  return e === null || e === document.body || e.id === "view";
+}
+var _l = {
+  f: "frame",
+  t: "aim",
+  g: "move",
+  r: "turn",
+  n: "add-spot",
+  o: "on-off",
+  i: "solo",
+  h: "hide",
+  b: "false-colour",
+  u: "panels",
+  c: "wipe",
+  m: "marquee",
+  v: "walking",
+  p: "meter",
+  "[": "previous",
+  "]": "next",
+  "?": "help",
+  delete: "remove",
+  home: "home"
+}, ba = {
+  b: "quantity",
+  o: "park",
+  i: "unsolo",
+  l: "from-lamp",
+  g: "grid",
+  t: "aim-here"
+}, _a = { Comma: "darker", Period: "brighter", Slash: "expose" }, ya = {
+  Digit1: "preset-plan",
+  Digit2: "preset-ceiling",
+  Digit3: "preset-north",
+  Digit4: "preset-east",
+  Digit5: "preset-south",
+  Digit6: "preset-west",
+  Digit0: "inside"
+};
+function yl(e) {
+  let t = e.key.toLowerCase();
+  return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
+}
+function wl() {
+  K.peek() ? K.value = null : Ze.peek() ? fo() : he.peek() ? he.value = null : E.peek() ? Qn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+}
+function wa(e) {
+  let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
+  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? Nt(-t * 24, n * 24, 3) : e.shiftKey ? eo(Ot(), -t * 0.05, n * 0.05) : Zn(-t * 0.06, n * 0.06), !0);
+}
+function ka(e) {
+  let t = ie(), n = mt();
+  !t || !n || (t.height ? J(zn(t, n, n.width / 2, n.height / 2, e)) : J(Bn(t, t.target, e, 0.3, !0)));
+}
+function kl(e) {
+  if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
+  let t = e.ctrlKey || e.metaKey;
+  if (e.key === "Escape") return wl();
+  if (bl(e.target)) {
+    t && e.key.toLowerCase() === "k" && je(e, "palette");
+    return;
+  }
+  if (t && !e.altKey) {
+    if (ga() && wa(e)) return e.preventDefault();
+    let i = yl(e);
+    i && je(e, i);
+    return;
+  }
+  if (e.altKey) {
+    let i = /^Digit(\d)$/.exec(e.code)?.[1];
+    if (e.key === "ArrowLeft") return je(e, "back");
+    if (e.key === "ArrowRight") return je(e, "forth");
+    if (i === "0") return je(e, "store-view");
+    if (i) {
+      e.preventDefault();
+      let a = Mt.all()[Number(i) - 1];
+      a && J(a[1], a[1].name ?? "view");
+      return;
+    }
+    if (e.code === "KeyH" && je(e, "unhide"), !(e.code in Mr)) return;
+  }
+  let n = ga();
+  if (n && wa(e)) return e.preventDefault();
+  if (n && e.code in Mr)
+    return mo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return ka(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return ka(1 / 0.85);
+  if (!Bi.peek()) return;
+  if (e.shiftKey && ya[e.code]) return je(e, ya[e.code]);
+  if (po && /^\d$/.test(e.key)) {
+    e.preventDefault(), po = !1;
+    let i = Ct.ids.peek()[Number(e.key) - 1];
+    i !== void 0 && ro({ do: "look", id: i, what: "recall", seconds: sr.peek() });
+    return;
+  }
+  if (po = e.key.toLowerCase() === "j", po) return Q("Recall a look: now its digit.");
+  if (!e.shiftKey && /^\d$/.test(e.key) && re.peek().length) {
+    e.preventDefault(), oa.value = e.key;
+    return;
+  }
+  if (!e.shiftKey && _a[e.code]) return je(e, _a[e.code]);
+  if (e.key === "\\") return void (e.repeat || bn(!0));
+  let o = e.key.toLowerCase();
+  if (o === "l" && !e.shiftKey) return void (e.repeat || Z("highlight"));
+  if (o === "p" && e.shiftKey) return xl();
+  let r = e.shiftKey && ba[o] ? ba[o] : _l[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && je(e, r);
+}
+function xl() {
+  let [e, t] = ye.peek(), n = Kt(e / 2, t / 2);
+  n && Me("point", n, (o) => o.hit && co(e / 2, t / 2, o));
+}
+function je(e, t) {
+  e.preventDefault(), Z(t);
+}
+function Sl(e) {
+  jt.delete(e.code), e.key === "\\" && bn(!1), e.key.toLowerCase() === "l" && uo(!1), e.key === "Shift" && (mo = 1);
+}
+function Sa() {
+  addEventListener("keydown", kl), addEventListener("keyup", Sl), addEventListener("blur", () => {
+    jt.clear(), uo(!1), bn(!1);
+  }), navigator.keyboard?.getLayoutMap().then((t) => {
+    vl.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+  }).catch(() => {
+  });
+}
+function Ml(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
+  mo = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
+}
+
+// src/levels.ts
+var Ma = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ca = (e) => {
+  let t = Yn.peek() === "square" ? e * e : e;
+  return Math.round(t * 1e3) / 1e3;
+}, Cl = (e) => (e.kind === "lamp" ? w.get(e.id) : D.get(e.id))?.level ?? 0, ho = (e) => (e.kind === "lamp" ? w.get(e.id) : D.get(e.id))?.name ?? "";
+function Tr(e) {
+  let t = re.peek();
+  return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
+}
+function Ea(e, t, n) {
+  if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
+  let o = n.get(e.id) ?? 0, r = {};
+  for (let [i, a] of n) {
+    let l = i === e.id ? t : o > 0 ? Math.min(10, a * (t / o)) : t;
+    r[i] = { level: Math.round(l * 1e3) / 1e3 };
+  }
+  return { lamps: r };
+}
+var vo = class {
+  constructor(t) {
+    this.strip = t;
+    this.was = this.now = Cl(t), this.from = t.kind === "lamp" ? new Map(Tr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ke(`${ho(t)} level`);
+  }
+  strip;
+  gesture;
+  from;
+  was;
+  now;
+  to(t) {
+    this.now = t, this.gesture.set(Ea(this.strip, t, this.from));
+  }
+  end() {
+    let t = this.from.size > 1 ? Ye([...this.from.keys()]) : ho(this.strip);
+    this.gesture.end(`${t} ${Fe(this.was)} → ${Fe(this.now)} %`);
+  }
+  cancel() {
+    this.gesture.cancel();
+  }
+};
+function $r(e, t) {
+  let n = new Map(Tr(e).map((o) => [o, w.get(o)?.level ?? 0]));
+  Ai(`level ${e.kind} ${e.id}`, `${ho(e)} level`, Ea(e, t, n));
+}
+function go(e, t) {
+  if (!e.length) return;
+  let n = Object.fromEntries(e.map((r) => {
+    let i = w.get(r);
+    return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
+  })), o = e.length === 1 ? ` ${Fe(w.get(e[0])?.level ?? 0)} → ${Fe(n[e[0]].level)} %` : " level";
+  ce(`${Ye(e)}${o}`, { lamps: n });
+}
+function bo(e, t) {
+  let n = t(D.get(e)?.level ?? 0);
+  ce(`${D.get(e)?.name ?? "Group"} ${Fe(n)} %`, { groups: { [e]: { level: n } } });
+}
+function _o(e, t) {
+  let n = `${ho(e)} ${t ? "on" : "off"}`;
+  e.kind === "group" ? ce(n, { groups: { [e.id]: { on: t } } }) : ce(n, { lamps: Object.fromEntries(Tr(e).map((o) => [o, { on: t }])) });
+}
+
+// src/swatch.ts
+var El = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055;
+var Tl = (e) => Math.round(255 * El(Math.max(0, Math.min(1, e))));
+function yo(e) {
+  let t = Math.max(...e, 1e-6);
+  return $l(e.map((n) => n / t));
+}
+function $l(e) {
+  return `#${e.map((t) => Tl(t).toString(16).padStart(2, "0")).join("")}`;
+}
+
+// src/range.tsx
+var Ta = -1e9;
+addEventListener("scroll", () => Ta = performance.now(), { capture: !0, passive: !0 });
+var qt = (e) => Math.max(0, Math.min(1, e));
+function Pr(e) {
+  let t = oe(null), n = oe(null), o = e.notch ?? 0.01, r = (u) => {
+    if (u.button !== 0 || e.disabled) return;
+    let c = u.currentTarget.getBoundingClientRect(), p = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
+    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? qt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(qt(p));
+  }, i = (u) => {
+    let c = n.current;
+    if (!c || c.id !== u.pointerId) return;
+    let p = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (p.height - 16) : (u.clientX - c.x) / (p.width - 12);
+    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(qt(c.at));
+  }, a = (u) => {
+    n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
+  }, l = (u) => {
+    if (u.key === "Escape" && n.current) {
+      n.current = null, e.cancel?.(), u.stopPropagation();
+      return;
+    }
+    let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], p = null;
+    c && (p = qt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
+  }, d = (u) => {
+    if (performance.now() - Ta < 400 || u.ctrlKey) return;
+    u.preventDefault();
+    let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
+    c && e.on(qt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
+  };
+  return s(
+    "input",
+    {
+      ref: t,
+      type: "range",
+      id: e.id,
+      class: `range ${e.class ?? ""} ${e.vertical ? "upright" : ""}`,
+      min: 0,
+      max: 1,
+      step: "any",
+      value: e.value,
+      disabled: e.disabled,
+      "aria-label": e.label,
+      "aria-valuetext": e.text,
+      style: { "--t": qt(e.value) },
+      onPointerDown: r,
+      onPointerMove: i,
+      onPointerUp: a,
+      onPointerCancel: a,
+      onMouseDown: (u) => u.preventDefault(),
+      onTouchStart: (u) => u.cancelable && u.preventDefault(),
+      onKeyDown: l,
+      onWheel: d,
+      onDblClick: () => e.reset?.(),
+      onInput: (u) => {
+        n.current ? u.currentTarget.value = String(e.value) : e.on(Number(u.currentTarget.value));
+      }
+    }
+  );
+}
+
+// src/faderrow.tsx
+function ko(e) {
+  let t = e.color;
+  return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
+}
+var wo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function $a({ row: e, index: t, count: n }) {
+  let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, l = i ?? a;
+  if (!l) return null;
+  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * Se(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * Se(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => xe.value.includes(y)), f = xe.value.length > 0 && !d.some((y) => xe.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
+    begin: () => o.current = new vo(r),
+    end: () => {
+      o.current?.end(), o.current = null;
+    },
+    cancel: () => {
+      o.current?.cancel(), o.current = null;
+    }
+  };
+  return s(
+    "div",
+    {
+      class: `fader-row depth-${e.depth} ${e.kind} ${k}`,
+      role: "listitem",
+      "aria-setsize": n,
+      "aria-posinset": t + 1,
+      "data-row": `${e.kind}-${e.id}`,
+      onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => ne.value = null,
+      children: [
+        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => _o(r, !l.on), children: s(q, { name: "power" }) }),
+        a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Pa(e.id), children: s(q, { name: bt.value.has(e.id) ? "right" : "down" }) }),
+        s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${wo(i)}` : l.name, onClick: (y) => xo(y, e.kind, e.id), children: [
+          s("span", { children: l.name }),
+          a && s("small", { children: d.length }),
+          i?.parked && s("small", { children: "parked" }),
+          i && !i.free && s("small", { class: "traced", title: wo(i), children: [
+            "↻",
+            s("span", { class: "spoken", children: "re-trace" })
+          ] })
+        ] }),
+        i && s("span", { class: "tint", children: [
+          s("i", { class: "swatch", style: { background: yo(i.swatch) } }),
+          ko(i)
+        ] }),
+        s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => kr(d), children: s(q, { name: "solo" }) }),
+        s(
+          Pr,
+          {
+            label: `${l.name} level`,
+            class: "level",
+            value: Ma(l.level),
+            text: `${Fe(l.level)} %, ${Ae(c)} lumen`,
+            notch: 0.01,
+            on: (y) => {
+              let b = Ca(y);
+              o.current ? o.current.to(b) : $r(r, b);
+            },
+            reset: () => $r(r, 1),
+            ...S
+          }
+        ),
+        s(
+          gt,
+          {
+            label: `${l.name} level, typed`,
+            quantity: "level",
+            value: l.level,
+            flux: u,
+            step: 0.01,
+            set: (y) => i ? go(p && re.peek().length > 1 ? re.peek() : [e.id], y) : bo(e.id, y)
+          }
+        ),
+        s("span", { class: "lumens", children: so(c, "flux") })
+      ]
+    }
+  );
+}
+
+// src/sheetrow.tsx
+function Va() {
+  return s("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+    s("span", {}),
+    s("span", { children: "Name" }),
+    s("span", { children: "Level" }),
+    s("span", { children: "lm" }),
+    s("span", { children: "White" })
+  ] });
+}
+function La({ row: e, index: t, count: n }) {
+  let o = e.kind === "lamp" ? w.get(e.id) : void 0, r = e.kind === "group" ? D.get(e.id) : void 0, i = o ?? r;
+  if (!i) return null;
+  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * Se(o) : (r?.lamps ?? []).reduce((u, c) => {
+    let p = w.get(c);
+    return u + (p ? p.flux * Se(p) : 0);
+  }, 0), d = ne.value?.kind === e.kind && ne.value.id === e.id;
+  return s(
+    "div",
+    {
+      class: `sheet-row depth-${e.depth} ${e.kind} ${a ? "selected" : ""} ${i.on ? "" : "off"} ${d ? "under" : ""}`,
+      role: "listitem",
+      "aria-setsize": n,
+      "aria-posinset": t + 1,
+      "data-row": `${e.kind}-${e.id}`,
+      onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => ne.value = null,
+      children: [
+        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => _o(e, !i.on), children: s(q, { name: "power" }) }),
+        s("button", { class: "row-name", "aria-pressed": a, title: o ? wo(o) : void 0, onClick: (u) => xo(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
+        s(
+          gt,
+          {
+            label: `${i.name} level`,
+            quantity: "level",
+            value: i.level,
+            flux: o?.flux,
+            step: 0.01,
+            set: (u) => o ? go([e.id], u) : bo(e.id, u)
+          }
+        ),
+        s("span", { class: "lumens", children: Ae(l) }),
+        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${ko(o)}`, onClick: () => be("lamp", e.id), children: [
+          s("i", { class: "swatch", style: { background: yo(o.swatch) } }),
+          ko(o)
+        ] }) : s("span", {})
+      ]
+    }
+  );
+}
+
+// src/virtual.tsx
+var Ia = 4;
+function Aa({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = oe(null), l = rt(0), d = rt(600);
+  Ce(() => {
+    let p = a.current, m = new ResizeObserver(() => d.value = p.clientHeight);
+    return m.observe(p), () => m.disconnect();
+  }, []), Ce(() => {
+    let p = a.current;
+    if (!p || r === void 0 || r < 0) return;
+    let m = r * t;
+    (m < p.scrollTop || m + t > p.scrollTop + p.clientHeight) && (p.scrollTop = Math.max(0, m - p.clientHeight / 2));
+  }, [r, t]);
+  let u = Math.max(0, Math.floor(l.value / t) - Ia), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Ia);
+  return s("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => l.value = p.currentTarget.scrollTop, children: s("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: s("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (p, m) => n(u + m)) }) }) });
+}
+
+// src/lamps.tsx
+var So = g(""), bt = g(/* @__PURE__ */ new Set()), Mo = g("group"), Ha = G(() => {
+  let e = So.value.trim().toLowerCase(), t = (r) => {
+    let i = w.get(r);
+    return i ? !e || `${i.name} ${i.kind} ${D.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
+  };
+  if (Mo.value !== "group" && At.value === "sheet") {
+    let r = Mo.value, i = w.all().filter(([a]) => t(a));
+    return i.sort(([, a], [, l]) => r === "name" ? a.name.localeCompare(l.name, "en", { numeric: !0 }) : l[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
+  }
+  let n = [], o = /* @__PURE__ */ new Set();
+  for (let [r, i] of D.all()) {
+    i.lamps.forEach((l) => o.add(l));
+    let a = i.lamps.filter(t);
+    if (a.length) {
+      if (i.lamps.length === 1) {
+        n.push({ kind: "lamp", id: a[0], depth: 0 });
+        continue;
+      }
+      n.push({ kind: "group", id: r, depth: 0 }), (!bt.value.has(r) || e) && a.forEach((l) => n.push({ kind: "lamp", id: l, depth: 1 }));
+    }
+  }
+  for (let r of w.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
+  return n;
+}), Ra = !1;
+D.ids.subscribe((e) => {
+  Ra || !e.length || (Ra = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+});
+function Pa(e) {
+  let t = new Set(bt.peek());
+  t.delete(e) || t.add(e), bt.value = t;
+}
+function xo(e, t, n) {
+  e.shiftKey ? zi(t, Ha.peek().filter((o) => o.kind === t).map((o) => o.id), n) : be(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+}
+function Pl(e) {
+  let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
+  if (!t || !n.matches(".row-name")) return;
+  e.preventDefault();
+  let o = [...e.currentTarget.querySelectorAll(".row-name")];
+  o[o.indexOf(n) + t]?.focus();
+}
+var Vl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Da() {
+  let e = Ha.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = At.value === "sheet";
+  return s("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Pl, children: [
+    s("header", { class: "panel-head", children: [
+      s("h2", { children: [
+        "Lamps ",
+        s("small", { children: B(w.ids.value.length) })
+      ] }),
+      s("span", { class: "gap" }),
+      s("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
+        s("button", { "aria-pressed": !r, onClick: () => At.value = "faders", children: "Faders" }),
+        s("button", { "aria-pressed": r, onClick: () => At.value = "sheet", children: "Sheet" })
+      ] })
+    ] }),
+    s("div", { class: "panel-tools", children: [
+      s("span", { class: "field filter", children: s(
+        "input",
+        {
+          type: "text",
+          "aria-label": "Filter lamps",
+          placeholder: "Filter",
+          value: So.value,
+          onInput: (i) => So.value = i.currentTarget.value,
+          onKeyDown: (i) => {
+            i.key === "Escape" && (So.value = "", i.stopPropagation());
+          }
+        }
+      ) }),
+      r && s("select", { "aria-label": "Order", value: Mo.value, onChange: (i) => Mo.value = i.currentTarget.value, children: [
+        s("option", { value: "group", children: "by group" }),
+        s("option", { value: "name", children: "by name" }),
+        s("option", { value: "flux", children: "by flux" }),
+        s("option", { value: "level", children: "by level" })
+      ] }),
+      s(Ft, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+        Vl.map((i) => s(wr, { id: i }, i)),
+        s("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
+          s("span", { children: "IES or LDT file…" }),
+          s("kbd", { children: "later" })
+        ] })
+      ] })
+    ] }),
+    re.value.length > 1 && s("p", { class: "several", children: [
+      re.value.length,
+      " selected; a fader moves them in proportion",
+      s("button", { onClick: () => Z("none"), children: "None" })
+    ] }),
+    r && s(Va, {}),
+    s(
+      Aa,
+      {
+        label: "Lamps and groups",
+        count: e.length,
+        height: r ? o ? 44 : 28 : o ? 84 : 50,
+        show: n,
+        row: (i) => {
+          let a = e[i];
+          return s(r ? La : $a, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
+        }
+      }
+    ),
+    !e.length && w.ids.value.length > 0 && s("p", { class: "quiet empty", children: "No lamp is called so." })
+  ] });
+}
+
+// src/states.ts
+var wn = g(null), et = g([]), kn = g(null), Lr = g(null), Vr = G(() => Te.value?.stage ?? "loading"), Ll = G(() => {
+  let e = Te.value?.fps ?? 0;
+  return Vr.value === "moving" && e > 6 && It.value < 0.4 * e && It.value < 5;
+}), Ut = G(() => {
+  switch (U.value) {
+    case "entering":
+      return "starting";
+    case "open":
+      break;
+    default:
+      return U.value;
+  }
+  return !ee.value || !W.value ? "loading" : st.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : wi.value ? "all-off" : Ll.value ? "slow" : Vr.value === "loading" ? "first" : Vr.value;
+});
+$e("event", (e) => {
+  switch (e.what) {
+    case "reloaded": {
+      wn.value = null, et.value = e.lost ?? [];
+      let t = e.kept ?? 0;
+      Q(`The scene was read again: ${t} edits kept${et.value.length ? `, ${et.value.length} no longer find what they changed` : ""}.`);
+      break;
+    }
+    case "broken":
+      wn.value = e.why ?? "The scene file cannot be read.";
+      break;
+    case "taken":
+      kn.value = e.by ?? te.peek().name ?? "somebody else";
+      break;
+    case "loading":
+      Lr.value = e;
+      break;
+  }
+});
+$e("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
+T(() => {
+  te.value.you && (kn.value = null);
+});
+
+// src/probe.ts
+var Co = g(null);
+function Eo(e, t, n) {
+  let o = Kt(e, t);
+  if (!o) return n(null);
+  Me("point", o, (r) => n(r.hit ? r : null));
+}
+function Ka(e) {
+  if (!e) return "";
+  let t = [], n = w.get(e.lamp)?.name, o = ge.get(e.thing)?.name, r = tn.get(e.material)?.name;
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${vt(e.lux[0])} ±${vt(e.lux[1], !1)}`), e.luminance) {
+    let i = e.luminance[0] * (Rt.value === "fc" ? 0.2919 : 1);
+    t.push(`${Ae(i)} ${Rt.value === "fc" ? "fL" : "cd/m²"}`);
+  }
+  return t.join(" · ");
+}
+
+// src/status.tsx
+var Oa = G(() => {
+  W.value;
+  let e = [];
+  for (let t of le.sent.slice(-24)) {
+    if (t.what !== "set" && t.what !== "camera") continue;
+    let n = le.frames.find((o) => o.seq >= t.seq && o.painted);
+    n && n.painted > t.at && e.push(n.painted - (t.input || t.at));
+  }
+  return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
+});
+function Il() {
+  let e = Te.value;
+  if (!e) return "starting";
+  let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
+  switch (e.stage) {
+    case "loading":
+      return "first look";
+    case "moving":
+      return `moving${t}`;
+    case "refining":
+      return `${t.trim() || "refining"}${e.good_in ? `, good in ${B(e.good_in, e.good_in < 3 ? 1 : 0)} s` : ""}`;
+    case "good":
+      return `good${t}`;
+    case "done":
+      return `finished${t}`;
+  }
+}
+function Na() {
+  let e = Te.value, t = W.value?.head, n = On.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+  return s("footer", { class: "status", "aria-label": "Status", children: [
+    s("span", { class: `quality ${e?.stage ?? ""}`, children: [
+      s("i", { class: "thin", "aria-hidden": "true", children: s("b", { style: { width: `${o * 100}%` } }) }),
+      Il()
+    ] }),
+    s("span", { children: [
+      B(t?.batches ?? e?.batches ?? 0),
+      " batches"
+    ] }),
+    s("span", { children: U.value === "open" ? `${B(It.value)} fps` : "no line" }),
+    Oa.value !== null && s("span", { title: "From the hand to the paint, median", children: [
+      B(Oa.value),
+      " ms"
+    ] }),
+    t && s("span", { children: [
+      t.width,
+      " × ",
+      t.height
+    ] }),
+    s("span", { class: "wide", children: [
+      On.value.length,
+      " layers",
+      n ? `, ${n} tracing` : ""
+    ] }),
+    s("span", { class: "probe", "aria-live": "off", children: Ka(Co.value) }),
+    s("span", { class: "gap" }),
+    s("span", { children: te.value.you ? "editing: you" : `editing: ${te.value.name ?? "somebody else"}` }),
+    s("span", { class: "spoken", children: [
+      Qo.value ?? "",
+      " ",
+      Ut.value
+    ] })
+  ] });
+}
+
+// src/pointer.ts
+var Al = 4, Fa = 35e-4, Rl = 0.15;
+function Hl(e, t, n) {
+  return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
+}
+function ja(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
+    let v = e.getBoundingClientRect();
+    return [h.clientX - v.left, h.clientY - v.top];
+  }, p = (h, v, $) => {
+    let P = Kt(h, v);
+    P && Me("point", P, (V) => {
+      let I = V;
+      I.hit && $?.(I);
+    });
+  }, m = (h) => {
+    let v = mt();
+    return v ? Math.max(0.2, F(A(h, v.eye), v.forward)) : r;
+  };
+  function f(h) {
+    if (h.target.closest("[data-handle]")) return;
+    e.focus({ preventScroll: !0 });
+    let [v, $] = c(h), P = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Hl(Xn.peek(), h.button, V);
+    I === "look" && ie()?.height && (I = "pan"), K.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
+      id: h.pointerId,
+      button: h.button,
+      x: v,
+      y: $,
+      startX: v,
+      startY: $,
+      moved: !1,
+      motion: I,
+      touch: P,
+      shift: h.shiftKey,
+      ctrl: V.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Ot(), r = m(o), p(v, $, (H) => {
+      o = H.point, r = m(H.point);
+    })), clearTimeout(l), P && n.size === 1 && (l = window.setTimeout(() => {
+      let H = n.get(h.pointerId);
+      H && !H.moved && n.size === 1 && (H.moved = !0, H.motion = "none", t.menu(H.x, H.y));
+    }, 550)), n.size === 2 && (u = _()), h.button === 1 && h.preventDefault();
+  }
+  function _() {
+    let [h, v] = [...n.values()];
+    return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
+  }
+  function k(h) {
+    let v = n.get(h.pointerId), [$, P] = c(h);
+    if (!v) {
+      if (h.pointerType === "touch" || h.buttons) return;
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, P), 150);
+      return;
+    }
+    let [V, I] = [$ - v.x, P - v.y];
+    if (!(!v.moved && Math.hypot($ - v.startX, P - v.startY) < Al)) {
+      if (v.moved = !0, v.x = $, v.y = P, n.size === 2 && u) {
+        let H = _();
+        Nt(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
+        return;
+      }
+      if (K.peek() === "marquee" && v.button === 0) {
+        t.marquee([v.startX, v.startY], [$, P], !1);
+        return;
+      }
+      switch (v.motion) {
+        case "look": {
+          let H = v.touch ? 1 : -1;
+          Zn(H * V * Fa, H * I * Fa);
+          break;
+        }
+        case "orbit":
+          eo(o, -V * 6e-3, -I * 6e-3);
+          break;
+        case "pan":
+          Nt(V, I, r);
+          break;
+        case "dolly":
+          b(v.startX, v.startY, Math.exp(I * 6e-3), !1);
+          break;
+        case "none":
+          break;
+      }
+    }
+  }
+  function S(h) {
+    let v = n.get(h.pointerId);
+    if (n.delete(h.pointerId), clearTimeout(l), n.size < 2 && (u = null), !(!v || h.type === "pointercancel")) {
+      if (v.moved) {
+        K.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        return;
+      }
+      if (v.touch) {
+        let $ = performance.now(), P = $ - d < 320;
+        if (d = $, P) return t.double();
+        if (Ie.peek()) return;
+      }
+      if (v.button === 2) t.menu(v.x, v.y);
+      else if (v.button === 0) {
+        let $ = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, $);
+      }
+    }
+  }
+  let y = null;
+  function b(h, v, $, P) {
+    let V = ie(), I = mt();
+    if (!V || !I) return;
+    if (V.height) return J(zn(V, I, h, v, $));
+    let H = performance.now();
+    if (!y || H - y.time > 500 || Math.hypot(h - y.x, v - y.y) > 6) {
+      y = { x: h, y: v, time: H, point: null };
+      let yt = y;
+      p(h, v, (Hr) => {
+        yt.point = Hr.point, r = m(Hr.point);
+      });
+    }
+    y.time = H;
+    let [Ja, Za] = [h - I.width / 2, I.height / 2 - v], es = Math.min(r, Ve(V.eye, Ot()) + 1), To = (yt) => V.eye[yt] + (I.forward[yt] + I.side[yt] * Ja * I.pixel + I.up[yt] * Za * I.pixel) * es, ts = y.point ?? [To(0), To(1), To(2)];
+    J(Bn(V, ts, $, Rl, P));
+  }
+  function R(h) {
+    if (h.target.closest("[data-scroll]")) return;
+    h.preventDefault();
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [V, I] = c(h);
+    if (Xn.peek() === "trackpad" && !h.ctrlKey) return Nt(-$, -P, r);
+    let H = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs($) ? P : $);
+    b(V, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
+  }
+  let L = (h) => h.preventDefault(), qe = () => {
+    clearTimeout(a), t.unhover();
+  }, Ue = (h) => {
+    !h.target.closest("[data-handle]") && K.peek() === null && t.double();
+  }, ke = (h) => {
+    h.code === "Space" && (i = h.type === "keydown");
+  }, ve = new ResizeObserver(() => {
+    let h = e.getBoundingClientRect();
+    ye.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+  });
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", qe), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", L), e.addEventListener("dblclick", Ue), addEventListener("keydown", ke), addEventListener("keyup", ke), () => {
+    ve.disconnect(), removeEventListener("keydown", ke), removeEventListener("keyup", ke);
+  };
+}
+
+// src/overlay.ts
+var Dl = "http://www.w3.org/2000/svg";
+function we(e, t = {}, n) {
+  let o = document.createElementNS(Dl, e);
+  for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
+  return n?.append(o), o;
+}
+var Ar = class {
+  view;
+  fit;
+  constructor(t) {
+    this.view = t, this.fit = pn(t.width, t.height);
+  }
+  at(t) {
+    let [n, o, r] = un(this.view, t);
+    return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
+  }
+  /** A line of the scene as a path, as much of it as lies before the eye. */
+  line(t, n) {
+    let [, , o] = un(this.view, t), [, , r] = un(this.view, n), i = 0.05, [a, l] = [t, n];
+    if (!this.view.parallel) {
+      if (o < i && r < i) return "";
+      let c = (i - o) / (r - o), p = M(x(t, 1 - c), x(n, c));
+      o < i && (a = p), r < i && (l = p);
+    }
+    let [d, u] = [this.at(a), this.at(l)];
+    return !d || !u ? "" : `M${d[0].toFixed(1)} ${d[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
+  }
+};
+function Rr() {
+  let e = W.value;
+  return ye.value, e ? new Ar(Vt(e.camera, e.head.width, e.head.height)) : null;
+}
+function qa() {
+  let e = se(Rr);
+  return e ? w.all().flatMap(([t, n]) => {
+    let o = Ua(n), r = o && e.at(o);
+    return r ? [{ id: t, at: r }] : [];
+  }) : null;
+}
+var Ua = no, Kl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Ir(e, t) {
+  let n = ln(t);
+  return Kl.map(([o, r]) => e.line(n[o], n[r])).join("");
+}
+var xn = class {
+  constructor(t, n, o) {
+    this.parent = t;
+    this.kind = n;
+    this.shape = o;
+  }
+  parent;
+  kind;
+  shape;
+  marks = /* @__PURE__ */ new Map();
+  draw(t) {
+    let n = /* @__PURE__ */ new Set();
+    for (let { id: o, at: r, label: i, state: a } of t) {
+      n.add(o);
+      let l = this.marks.get(o);
+      if (!l) {
+        let d = we("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        this.shape(d);
+        let u = we("text", { x: 10, y: 4 }, d);
+        l = { group: d, label: u }, this.marks.set(o, l);
+      }
+      if (!r) {
+        l.group.setAttribute("display", "none");
+        continue;
+      }
+      l.group.removeAttribute("display"), l.group.setAttribute("transform", `translate(${r[0].toFixed(1)} ${r[1].toFixed(1)})`), l.group.setAttribute("class", `mark ${this.kind} ${a}`), l.label.textContent !== i && (l.label.textContent = i);
+    }
+    for (let [o, r] of this.marks)
+      n.has(o) || (r.group.remove(), this.marks.delete(o));
+  }
+};
+function Wa(e) {
+  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new xn(we("g", {}, e), "lamp", (c) => we("circle", { r: 4.5 }, c)), a = new xn(we("g", {}, e), "grid", () => {
+  }), l = new xn(we("g", {}, e), "meter", (c) => {
+    we("circle", { r: 5.5 }, c), we("path", { d: "M-9 0H9M0 -9V9" }, c);
+  }), d = T(() => {
+    let c = Rr();
+    if (!c) return;
+    let p = E.value, m = ne.value, f = "", _ = "", k = w.all().map(([y, b]) => {
+      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), L = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, qe = Ua(b), Ue = b.place?.position;
+      if (R && b.box && (_ += Ir(c, b.box)), Ue && b.place?.direction && (R || L)) {
+        let h = b.place.aim ?? M(Ue, b.place.direction);
+        f += c.line(Ue, h);
+      }
+      let ke = R || L || ar.value && (b.own || b.place?.position), ve = `${R ? "selected" : ""} ${L ? "under" : ""} ${Se(b) ? "" : "off"}`;
+      return { id: y, at: qe && ke ? c.at(qe) : null, label: R || L ? b.name : "", state: ve };
+    });
+    if (i.draw(k), t.setAttribute("d", f), p?.kind === "thing")
+      for (let y of p.ids) {
+        let b = ge.get(y)?.box;
+        b && (_ += Ir(c, b));
+      }
+    n.setAttribute("d", _);
+    let S = m?.kind === "lamp" ? w.get(m.id)?.box : m?.kind === "thing" ? ge.get(m.id)?.box : null;
+    o.setAttribute("d", S ? Ir(c, S) : "");
+  }), u = T(() => {
+    let c = Rr();
+    if (!c) return;
+    let p = E.value, m = (_, k) => p?.kind === _ && p.ids.includes(k) ? "selected" : "";
+    l.draw(He.all().map(([_, k]) => ({
+      id: _,
+      at: c.at(k.point),
+      label: k.lux ? vt(k.lux[0]) : "…",
+      state: m("meter", _)
+    })));
+    let f = "";
+    a.draw(it.all().map(([_, k]) => {
+      f += Ol(c, k);
+      let S = k.mean === null ? "…" : `${k.name} ${vt(k.mean)}`;
+      return { id: _, at: c.at(k.corner), label: S, state: m("grid", _) };
+    })), r.setAttribute("d", f);
+  });
+  return () => {
+    d(), u(), e.replaceChildren();
+  };
+}
+function Ol(e, t) {
+  let n = (r, i) => M(t.corner, M(x(t.u, r), x(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+  for (let r = 0; r < t.rows; r++)
+    for (let i = 0; i < t.columns; i++) {
+      let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
+      a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
+    }
+  return o;
+}
+
+// src/banner.tsx
+function de({ tone: e, children: t }) {
+  return s("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
+}
+var Ba = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Nl() {
+  let e = w.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+  ce("All lamps on", {
+    lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
+    groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
+  });
+}
+function Fl() {
+  switch (Ut.value) {
+    case "starting":
+      return s(de, { tone: "calm", children: "Entering…" });
+    case "loading": {
+      let e = Lr.value;
+      return s(de, { tone: "calm", children: [
+        "Reading ",
+        e?.file ?? ee.value?.file ?? "the scene",
+        "…",
+        e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
+        e?.progress != null && s("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
+      ] });
+    }
+    case "lost":
+      return s(de, { tone: "warn", children: [
+        "Connection lost, trying again",
+        rn.value ? ` (${rn.value} s)` : "…",
+        ". Until then nothing can be changed."
+      ] });
+    case "ended":
+      return s(de, { tone: "warn", children: [
+        "The program has ended. Start it again with ",
+        s("code", { children: Ba() }),
+        s("button", { onClick: () => {
+          _r(Ba());
+        }, children: "Copy" }),
+        " and this page comes back by itself."
+      ] });
+    case "denied":
+      return s(de, { tone: "warn", children: "This link is not valid (any more). Open the one that the program has printed, or ask for a new one." });
+    case "renewed":
+      return s(de, { tone: "warn", children: [
+        "New version. ",
+        s("button", { onClick: () => location.reload(), children: "Reload" })
+      ] });
+    case "unsaved":
+      return s(de, { tone: "warn", children: [
+        "Edits are not being saved: ",
+        st.value.why ?? "unknown reason",
+        ".",
+        s("button", { onClick: () => ht.value = "save", children: "Save elsewhere" })
+      ] });
+    case "broken":
+      return s(de, { tone: "warn", children: [
+        wn.value,
+        " Still showing what was read before."
+      ] });
+    case "control-lost":
+      return s(de, { tone: "warn", children: [
+        "Control moved to ",
+        s("em", { children: kn.value }),
+        ". ",
+        s("button", { onClick: () => N({ do: "edit", what: "take" }), children: "Take it back" })
+      ] });
+    case "watching":
+      return s(de, { tone: "calm", children: [
+        "You are watching",
+        te.value.name ? s(X, { children: [
+          "; ",
+          s("em", { children: te.value.name }),
+          " edits"
+        ] }) : "",
+        ".",
+        s("button", { onClick: () => N({ do: "edit", what: "take" }), children: "Ask for control" })
+      ] });
+    case "no-lamps":
+      return s(de, { tone: "calm", children: [
+        "This scene has no light. Add:",
+        s(
+          "button",
+          {
+            onClick: () => {
+              to.value = "disc", hr("add");
+            },
+            children: "ceiling lamp"
+          }
+        ),
+        s("button", { disabled: !0, title: "Photometric files come with a later version", children: "IES file" })
+      ] });
+    case "all-off":
+      return s(de, { tone: "warn", children: [
+        "All lamps are off.",
+        at.value.undo && s("button", { onClick: () => Z("undo"), children: "Undo" }),
+        s("button", { onClick: Nl, children: "Turn on" })
+      ] });
+    case "slow":
+      return s(de, { tone: "calm", children: [
+        "Slow connection.",
+        s("button", { "aria-pressed": Xe.value, onClick: () => Xe.value = !0, children: "Sharper" }),
+        s("button", { "aria-pressed": !Xe.value, onClick: () => Xe.value = !1, children: "Faster" })
+      ] });
+    default:
+      return null;
+  }
+}
+function za() {
+  let e = xe.value;
+  return s("div", { class: "banners", "data-scroll": !0, children: [
+    Fl(),
+    et.value.length > 0 && s(de, { tone: "calm", children: [
+      s("details", { children: [
+        s("summary", { children: [
+          et.value.length,
+          " edits no longer find what they changed"
+        ] }),
+        s("ul", { children: et.value.map((t) => s("li", { children: t }, t)) })
+      ] }),
+      s("button", { onClick: () => et.value = [], children: "Good" })
+    ] }),
+    e.length > 0 && s("div", { class: "banner badge", role: "status", children: [
+      "Solo: ",
+      e.length === 1 ? w.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      s("button", { onClick: xr, children: "End solo" })
+    ] }),
+    s("div", { class: "notes", role: "status", "aria-live": "polite", children: ut.value.map((t) => s("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+      t.text,
+      s("button", { class: "icon", "aria-label": "Close", onClick: () => zo(t.id), children: s(q, { name: "close" }) })
+    ] }, t.id)) })
+  ] });
+}
+
+// src/view.tsx
+var Xa = g(null);
+function jl(e, t) {
+  let n = qa();
+  if (!n) return [];
+  let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
+  return n.filter(({ at: l }) => l[0] >= o && l[0] <= r && l[1] >= i && l[1] <= a).map(({ id: l }) => l);
+}
+var ql = {
+  click(e, t, n) {
+    let o = Ga(e, t);
+    if (K.peek() === null && o) return be(o.kind, o.id, n);
+    Eo(e, t, (r) => {
+      if (r && (Jn.value = { point: r.point, normal: r.normal }), K.peek() !== null) return ea(r);
+      Xi(r, n);
+    });
+  },
+  menu(e, t) {
+    Eo(e, t, (n) => {
+      n && co(e, t, n);
+    });
+  },
+  double() {
+    dr();
+  },
+  hover(e, t) {
+    let n = Ga(e, t);
+    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), Eo(e, t, (o) => {
+      Co.value = o, o && (Jn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
+    });
+  },
+  unhover() {
+    ne.peek() && (ne.value = null);
+  },
+  marquee(e, t, n) {
+    if (Xa.value = n ? null : { from: e, to: t }, !n) return;
+    let o = jl(e, t);
+    E.value = o.length ? { kind: "lamp", ids: o } : null, K.value = null;
+  }
+};
+function Ga(e, t) {
+  let n = document.getElementById("overlay"), o = null, r = 11;
+  for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
+    let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
+    if (!a) continue;
+    let l = Math.hypot(Number(a[1]) - e, Number(a[2]) - t);
+    l < r && (r = l, o = { kind: i.dataset.kind, id: Number(i.dataset.id) });
+  }
+  return o;
+}
+var Ul = {
+  aim: "Click what shall be lit. Esc to leave.",
+  meter: "Click where the meter shall lie. Esc to leave.",
+  grid: "Click two opposite corners of the area. Esc to leave.",
+  add: "Click where the lamp shall hang. Esc to leave.",
+  marquee: "Drag around the lamps to select. Esc to leave."
+};
+function Ya() {
+  let e = oe(null), t = oe(null), n = oe(null);
+  return Ce(() => {
+    tr(t.current);
+    let o = Wa(n.current), r = ja(e.current, ql);
+    return () => {
+      tr(null), o(), r();
+    };
+  }, []), gi(() => {
+    let o = W.value;
+    t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
+  }), s("main", { class: "view", "aria-label": "View", children: [
+    s(
+      "div",
+      {
+        class: K.value ? "stage tooled" : "stage",
+        id: "view",
+        ref: e,
+        tabIndex: 0,
+        role: "application",
+        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Dt.value ? `, ${Dt.value}` : ""}`,
+        "aria-describedby": "view-keys",
+        "data-tool": K.value ?? "",
+        children: [
+          s("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
+          s("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
+          s(ae, { part: "Gizmo" }),
+          s(ae, { part: "Compare" }),
+          s(Wl, {})
+        ]
+      }
+    ),
+    s("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
+    K.value && s("p", { class: "hint", role: "status", children: Ul[K.value] }),
+    s(za, {}),
+    s(ae, { part: "Legend" }),
+    s(ae, { part: "CutBar" }),
+    s(ae, { part: "ViewStrip" }),
+    s(ae, { part: "WalkPad" }),
+    s(ae, { part: "What" })
+  ] });
+}
+function Wl() {
+  let e = Xa.value;
+  if (!e) return null;
+  let { from: t, to: n } = e;
+  return s("svg", { class: "rubber", "aria-hidden": "true", children: s(
+    "rect",
+    {
+      x: Math.min(t[0], n[0]),
+      y: Math.min(t[1], n[1]),
+      width: Math.abs(n[0] - t[0]),
+      height: Math.abs(n[1] - t[1])
+    }
+  ) });
+}
+
+// src/main.tsx
+function Bl() {
+  return s(X, { children: [
+    s(ma, {}),
+    s(Da, {}),
+    s(Ya, {}),
+    s("section", { class: "panel inspector", "aria-label": "Inspector", children: s(ae, { part: "Inspector" }) }),
+    s("section", { class: "strip", "aria-label": "Looks and meters", children: s(ae, { part: "Strip" }) }),
+    s(Na, {}),
+    s(ae, { part: "Sheets" })
+  ] });
+}
+var _t = document.getElementById("desk");
+_t.replaceChildren();
+Xr(s(Bl, {}), _t);
+T(() => {
+  _t.dataset.state = Ut.value, _t.dataset.line = U.value, _t.dataset.pen = me.value === "edit" && te.value.you && !Ie.value ? "yes" : "no";
+});
+T(() => {
+  _t.dataset.panels = ir.value ? "yes" : "no", _t.dataset.drawer = Je.value ?? "none";
+});
+T(() => {
+  document.documentElement.dataset.theme = nr.value, document.documentElement.style.setProperty("--house", String(or.value));
+});
+T(() => {
+  ee.value && (document.title = `${ee.value.name} – Lampyris`);
+});
+var Qa = 0;
+T(() => {
+  let [e, t] = ye.value, n = Xe.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value === "open" && (clearTimeout(Qa), Qa = window.setTimeout(() => N({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+});
+ua();
+Sa();
+$i();
+export {
+  gt as Field,
+  X as Fragment,
+  Ke as Gesture,
+  q as Icon,
+  wr as Item,
+  Ps as PRESETS,
+  Pr as Range,
+  ft as across,
+  Z as act,
+  M as add,
+  na as addMeter,
+  to as adding,
+  ta as aim,
+  Me as ask,
+  js as back,
+  gn as before,
+  Rt as candles,
+  re as chosenLamps,
+  xr as clearSolo,
+  fo as closeWhat,
+  ro as command,
+  bn as compareHeld,
+  he as comparing,
+  G as computed,
+  Zs as copyAlong,
+  _r as copyText,
+  fe as cross,
+  Gs as cut,
+  Qn as deselect,
+  B as digits,
+  lt as display,
+  Ve as distance,
+  F as dot,
+  ol as each,
+  ce as edit,
+  te as editor,
+  T as effect,
+  io as exposeBy,
+  sr as fade,
+  il as falseColor,
+  Xe as fine,
+  pn as fitted,
+  qs as forth,
+  dr as frameSelection,
+  J as go,
+  mr as goHome,
+  zs as goInside,
+  Bs as goPreset,
+  it as grids,
+  Os as handles,
+  Xn as hands,
+  ie as here,
+  uo as highlight,
+  at as history,
+  or as houseLights,
+  ne as hovered,
+  s as jsx,
+  s as jsxs,
+  ar as lampMarks,
+  w as lamps,
+  Oe as length,
+  At as listing,
+  Ie as lookOnly,
+  Ct as looks,
+  vt as luxText,
+  Ds as maintenance,
+  He as meters,
+  Gi as nameOf,
+  j as normal,
+  Ml as padWalk,
+  ir as panels,
+  Vt as pinhole,
+  tl as placed,
+  no as positionOf,
+  nl as positions,
+  un as project,
+  $s as ray,
+  ll as register,
+  el as removeLamps,
+  me as role,
+  Q as say,
+  x as scale,
+  ee as scene,
+  be as select,
+  E as selection,
+  N as send,
+  Xs as setCut,
+  ht as sheet,
+  Pt as show,
+  W as shown,
+  g as signal,
+  hl as soloSelection,
+  Jn as spot,
+  hr as startTool,
+  Te as status,
+  Ns as stepSelection,
+  sl as storeLook,
+  al as storeView,
+  A as sub,
+  nr as theme,
+  ge as things,
+  Ae as three,
+  Ye as titleOf,
+  br as toggleFalse,
+  fl as toggleWipe,
+  K as tool,
+  Yn as travel,
+  sn as turn,
+  Ce as useEffect,
+  oe as useRef,
+  Dt as viewName,
+  ye as viewSize,
+  Mt as views,
+  rr as walking,
+  Ze as what,
+  qn as whyNot,
+  ul as wipeAt
+};
