@@ -1,6 +1,7 @@
 //! The renderer's thread: it owns the session, does what it is asked between batches, and hands light to the screen. While
 //! something moves it draws small pictures, so that many of them fit into a second.
 
+use crate::Options;
 use crate::desk::{Event, Inbox};
 use crate::error::Result;
 use crate::hub::CameraText;
@@ -23,9 +24,6 @@ use std::time::{Duration, Instant};
 
 /// Light groups that lamps are sorted into when a scene opens.
 pub(crate) const GROUPS: usize = 16;
-
-/// Batches after which a picture is finished.
-const ENOUGH: u32 = 256;
 
 /// How long nothing must move before the picture is drawn in its full size.
 const REST: Duration = Duration::from_millis(160);
@@ -197,6 +195,8 @@ struct Stage {
     camera: Arc<CameraText>,
     /// What was asked for, and what is drawn now.
     size: [u32; 2],
+    /// Batches after which a picture is finished.
+    enough: u32,
     drawn: [u32; 2],
     /// The last message that asked for rays and was followed.
     seq: u32,
@@ -211,11 +211,11 @@ struct Stage {
 pub(crate) fn run(
     studio: &Studio,
     opened: Opened,
-    size: [u32; 2],
-    threads: Option<usize>,
+    options: &Options,
     screen: &Screen,
     inbox: &Inbox,
 ) -> Result<()> {
+    let Options { size, threads, batches, .. } = *options;
     let settings = Settings::interactive();
     let Opened { document, camera } = opened;
     let document::Opened { scene, before, document: own, warnings, .. } = &document;
@@ -251,6 +251,7 @@ pub(crate) fn run(
         camera: Arc::new(camera_text(&look, 0)),
         look,
         size,
+        enough: batches,
         drawn: size,
         seq: 0,
         moved: None,
@@ -288,7 +289,7 @@ impl Stage {
                 self.draw_in(self.size)?;
             }
             let batches = self.session.frame()?.batches();
-            if batches >= ENOUGH || (moving && batches >= 2) {
+            if batches >= self.enough || (moving && batches >= 2) {
                 continue;
             }
             let begun = Instant::now();
@@ -308,7 +309,7 @@ impl Stage {
         let batches = self.session.frame().map_or(0, |frame| frame.batches());
         match self.moved {
             Some(at) if batches >= 2 => Some(at + REST),
-            _ if batches >= ENOUGH => None,
+            _ if batches >= self.enough => None,
             _ => Some(Instant::now()),
         }
     }
@@ -375,7 +376,7 @@ impl Stage {
         let size = self.drawn;
         let frame = self.session.frame()?;
         let batches = frame.batches();
-        let done = batches >= ENOUGH;
+        let done = batches >= self.enough;
         // A picture that hardly changes is not sent for each batch.
         if batches > 8 && !done && self.shown.elapsed() < Duration::from_millis(400) {
             return Ok(());
