@@ -9,7 +9,7 @@
 use crate::backend::{Backend, Batch, Settings, Statistics};
 use crate::cpu::{Cpu, GoOn};
 use crate::error::{Error, Result};
-use crate::eye::Eye;
+use crate::eye::{Eye, Meter};
 use crate::frame::Frame;
 use crate::scene::{Camera, Edit, Scene, View};
 use crate::world::{Changes, World};
@@ -174,6 +174,43 @@ impl Session {
             self.step()?;
         }
         self.cpu.let_go()
+    }
+
+    /// Measures at some points from now on, in the place of those before, by settings of their own: meters get their own
+    /// batches, all light groups told apart as in the picture, and edits renew them as they do the picture. An empty list
+    /// ends it.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] for settings that make no sense; nothing is changed then.
+    pub fn measure(&mut self, meters: &[Meter], settings: &Settings) -> Result<()> {
+        self.cpu.measure((!meters.is_empty()).then(|| meters.to_vec()), settings)
+    }
+
+    /// The meters' sums, a pixel each in one row: illuminance over π [lx]. Its [`Frame::mean`] is a figure to state as soon
+    /// as all light groups have the same number of batches ([`Frame::progress`]).
+    pub fn meters(&self) -> Option<&Frame> {
+        self.cpu.meters()
+    }
+
+    /// [`Session::step_while`] for the meters; false also where there are none.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn step_meters(&mut self, go_on: GoOn<'_>) -> Result<bool> {
+        let index = self.meters().map_or(0, Frame::batches);
+        self.cpu.add_to_meters(Batch { index }, go_on)
+    }
+
+    /// [`Session::settle`] for the meters.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn settle_meters(&mut self, batches: u32) -> Result<()> {
+        self.cpu.settle_meters(batches)?;
+        while self.meters().is_some_and(|frame| frame.batches() < batches) {
+            self.step_meters(&|| true)?;
+        }
+        Ok(())
     }
 
     /// Starts the picture again with other settings.
