@@ -2,10 +2,12 @@
 //! of all of them together. Meters go into [`crate::eye::Eye::Meters`]; what they read comes back as numbers.
 
 mod grid;
+mod seen;
 mod statistics;
 mod targets;
 
 pub use grid::{BORDER, Grid, MOST, Rectangle, spacing};
+pub use seen::{illuminance, matt, receivers};
 pub use statistics::{Estimate, Statistics, Verdict};
 pub use targets::{TARGETS, Target};
 
