@@ -2463,49 +2463,53 @@ function Aa({ row: e, index: t, count: n }) {
       onPointerLeave: () => ne.value = null,
       children: [
         s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => wo(r, !l.on), children: s(j, { name: "power" }) }),
-        a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ra(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
-        s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
-          s("span", { children: l.name }),
-          a && s("small", { children: d.length }),
-          i?.parked && s("small", { children: "parked" }),
-          i && !i.free && s("small", { class: "traced", title: ko(i), children: [
-            "↻",
-            s("span", { class: "spoken", children: "re-trace" })
-          ] })
+        s("div", { class: "top", children: [
+          a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ra(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
+          s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
+            s("span", { children: l.name }),
+            a && s("small", { children: d.length }),
+            i?.parked && s("small", { children: "parked" }),
+            i && !i.free && s("small", { class: "traced", title: ko(i), children: [
+              "↻",
+              s("span", { class: "spoken", children: "re-trace" })
+            ] })
+          ] }),
+          i && s("span", { class: "tint", children: [
+            s("i", { class: "swatch", style: { background: Mn(i.swatch) } }),
+            xo(i)
+          ] }),
+          s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => Er(d), children: s(j, { name: "solo" }) })
         ] }),
-        i && s("span", { class: "tint", children: [
-          s("i", { class: "swatch", style: { background: Mn(i.swatch) } }),
-          xo(i)
-        ] }),
-        s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => Er(d), children: s(j, { name: "solo" }) }),
-        s(
-          Hr,
-          {
-            label: `${l.name} level`,
-            class: "level",
-            value: Ir(l.level),
-            text: `${He(l.level)} %, ${Re(c)} lumen`,
-            notch: 0.01,
-            on: (y) => {
-              let b = Ar(y);
-              o.current ? o.current.to(b) : _o(r, b);
-            },
-            reset: () => _o(r, 1),
-            ...S
-          }
-        ),
-        s(
-          gt,
-          {
-            label: `${l.name} level, typed`,
-            quantity: "level",
-            value: l.level,
-            flux: u,
-            step: 0.01,
-            set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : yo(e.id, y)
-          }
-        ),
-        s("span", { class: "lumens", children: yn(c, "flux") })
+        s("div", { class: "bottom", children: [
+          s(
+            Hr,
+            {
+              label: `${l.name} level`,
+              class: "level",
+              value: Ir(l.level),
+              text: `${He(l.level)} %, ${Re(c)} lumen`,
+              notch: 0.01,
+              on: (y) => {
+                let b = Ar(y);
+                o.current ? o.current.to(b) : _o(r, b);
+              },
+              reset: () => _o(r, 1),
+              ...S
+            }
+          ),
+          s(
+            gt,
+            {
+              label: `${l.name} level, typed`,
+              quantity: "level",
+              value: l.level,
+              flux: u,
+              step: 0.01,
+              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : yo(e.id, y)
+            }
+          ),
+          s("span", { class: "lumens", children: yn(c, "flux") })
+        ] })
       ]
     }
   );

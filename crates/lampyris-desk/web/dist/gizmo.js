@@ -1,109 +1,109 @@
 // src/later/actions.ts
 import {
-  addMeter as sl,
-  adding as ul,
-  aim as cl,
-  ask as pl,
-  back as ml,
+  addMeter as il,
+  adding as sl,
+  aim as ul,
+  ask as cl,
+  back as pl,
   candles as fn,
   chosenLamps as se,
-  clearSolo as dl,
+  clearSolo as ml,
   command as vn,
-  compareHeld as hl,
-  copyAlong as bl,
-  copyText as gl,
-  deselect as fl,
+  compareHeld as dl,
+  copyAlong as hl,
+  copyText as bl,
+  deselect as gl,
   each as Et,
   edit as Vt,
   exposeBy as yn,
-  falseColor as vl,
+  falseColor as fl,
   fine as kn,
-  forth as yl,
-  frameSelection as kl,
-  go as wl,
-  goHome as xl,
-  goInside as Ml,
-  goPreset as Cl,
+  forth as vl,
+  frameSelection as yl,
+  go as kl,
+  goHome as wl,
+  goInside as xl,
+  goPreset as Ml,
   handles as wn,
-  hands as Sl,
-  here as $l,
-  highlight as Ll,
+  hands as Cl,
+  here as Sl,
+  highlight as $l,
   history as xn,
   lampMarks as Mn,
-  lamps as Qe,
+  lamps as Ze,
   listing as Cn,
   lookOnly as Sn,
   panels as $n,
-  PRESETS as Tl,
-  register as Pl,
-  removeLamps as El,
-  say as Ze,
-  scene as Vl,
+  PRESETS as Ll,
+  register as Tl,
+  removeLamps as Pl,
+  say as Qe,
+  scene as El,
   selection as An,
-  send as Al,
-  sheet as Ne,
-  show as ql,
-  soloSelection as Il,
+  send as Vl,
+  sheet as He,
+  show as Al,
+  soloSelection as ql,
   spot as De,
   startTool as xe,
   stepSelection as Ln,
-  storeLook as Rl,
-  storeView as Fl,
+  storeLook as Il,
+  storeView as Rl,
   theme as Tn,
   things as Pn,
   titleOf as qn,
-  toggleFalse as Hl,
+  toggleFalse as Fl,
   toggleWipe as Nl,
   travel as En,
-  views as Dl,
+  views as Hl,
   walking as Pt,
-  whyNot as Z
+  whyNot as Q
 } from "./desk.js";
-var ie = () => Z() ?? (se.value.length ? null : "Select a lamp first.");
-function Ol() {
-  let e = se.peek(), t = !e.some((n) => Qe.get(n)?.on);
+var ie = () => Q() ?? (se.value.length ? null : "Select a lamp first.");
+function Dl() {
+  let e = se.peek(), t = !e.some((n) => Ze.get(n)?.on);
   Vt(`${qn(e)} ${t ? "on" : "off"}`, { lamps: Et(e, { on: t }) });
 }
-function Wl() {
-  let e = se.peek(), t = !e.every((n) => Qe.get(n)?.parked);
+function Ol() {
+  let e = se.peek(), t = !e.every((n) => Ze.get(n)?.parked);
   Vt(`${t ? "Park" : "Unpark"} ${qn(e)}`, { lamps: Et(e, { parked: t }) });
 }
 function Vn(e) {
   let t = An.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : Pn.ids.peek().filter((a) => Pn.get(a)?.hidden);
-  if (!n.length) return Ze(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  if (!n.length) return Qe(e ? "Select a thing first." : "Nothing is hidden.", "warn");
   Vt(e ? "Hide things" : "Show hidden things", { things: Et(n, { hidden: e }) });
 }
-function Gl() {
-  let e = se.peek()[0], t = Qe.get(e)?.place, n = $l();
-  if (!t?.position || !t.direction || !n) return Ze("Select a lamp that has a direction.", "warn");
+function Wl() {
+  let e = se.peek()[0], t = Ze.get(e)?.place, n = Sl();
+  if (!t?.position || !t.direction || !n) return Qe("Select a lamp that has a direction.", "warn");
   let { position: a, direction: l } = t;
-  wl({ ...n, eye: a, target: [a[0] + l[0], a[1] + l[1], a[2] + l[2]], height: null, near: null }, "from the lamp");
+  kl({ ...n, eye: a, target: [a[0] + l[0], a[1] + l[1], a[2] + l[2]], height: null, near: null }, "from the lamp");
 }
-function Bl() {
-  pl("command", {}, (e) => {
-    gl(e.text);
+function Gl() {
+  cl("command", {}, (e) => {
+    bl(e.text);
   });
 }
-var Kl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Ul = {
+var Bl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Kl = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, zl = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: kl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: xl },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: Ml },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ml },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: yl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Fl, why: Z },
-  ...Tl.map((e, t) => ({
+}, Ul = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: yl },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: wl },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: xl },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: pl },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: vl },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Rl, why: Q },
+  ...Ll.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Ul[e],
+    label: Kl[e],
     keys: `Shift+${t + 1}`,
-    run: () => Cl(e)
+    run: () => Ml(e)
   })),
   {
     id: "walking",
@@ -111,66 +111,66 @@ var Kl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      Pt.value = Pt.peek() === "walk" ? "fly" : "walk", Ze(Pt.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      Pt.value = Pt.peek() === "walk" ? "fly" : "walk", Qe(Pt.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Gl, why: ie },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Wl, why: ie },
   { id: "next", group: "Select", label: "Next", keys: "]", run: () => Ln(1) },
   { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => Ln(-1) },
   { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => xe("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => An.value = { kind: "lamp", ids: Qe.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: fl },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Ol, why: ie },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Il, why: () => se.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: dl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => Ll(!0), why: ie },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Wl, why: ie },
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => An.value = { kind: "lamp", ids: Ze.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: gl },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Dl, why: ie },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: ql, why: () => se.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: ml },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => $l(!0), why: ie },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Ol, why: ie },
   { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => xe("aim"), why: ie },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => De.peek() && cl(se.peek(), De.peek().point), why: ie },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => De.peek() && ul(se.peek(), De.peek().point), why: ie },
   { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => wn.value = "move" },
   { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => wn.value = "turn" },
-  ...Kl.map(([e, t]) => ({
+  ...Bl.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
-    why: Z,
+    why: Q,
     run: () => {
-      ul.value = e, xe("add");
+      sl.value = e, xe("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => bl(se.peek(), 1, [0.5, 0, 0]), why: ie },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => El(se.peek()), why: ie },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => Vn(!0), why: Z },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => Vn(!1), why: Z },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => vn({ do: "undo" }), why: () => Z() ?? (xn.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => vn({ do: "redo" }), why: () => Z() ?? (xn.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => Ne.value = "save", why: Z },
-  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => Ne.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Bl },
-  { id: "share", group: "Work", label: "Share by link", run: () => Ne.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Hl },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => hl(se.peek(), 1, [0.5, 0, 0]), why: ie },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Pl(se.peek()), why: ie },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => Vn(!0), why: Q },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => Vn(!1), why: Q },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => vn({ do: "undo" }), why: () => Q() ?? (xn.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => vn({ do: "redo" }), why: () => Q() ?? (xn.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => He.value = "save", why: Q },
+  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => He.value = "picture" },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Gl },
+  { id: "share", group: "Work", label: "Share by link", run: () => He.value = "share" },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Fl },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = vl();
-      ql({ false_color: { ...e, quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = fl();
+      Al({ false_color: { ...e, quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
   { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => yn(1) },
   { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => yn(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Al({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => hl(!0) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Vl({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => dl(!0) },
   { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Nl },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Z, run: () => De.peek() ? sl(De.peek().point, De.peek().normal) : xe("meter") },
-  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => xe("meter"), why: Z },
-  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => xe("grid"), why: Z },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => De.peek() ? il(De.peek().point, De.peek().normal) : xe("meter") },
+  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => xe("meter"), why: Q },
+  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => xe("grid"), why: Q },
   { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => fn.value = fn.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Rl, why: Z },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => Ze("Press J, then the digit of the look.") },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Il, why: Q },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => Qe("Press J, then the digit of the look.") },
   { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => $n.value = !$n.peek() },
   { id: "listing", group: "Page", label: "Faders or sheet", run: () => Cn.value = Cn.peek() === "faders" ? "sheet" : "faders" },
   { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => En.value = En.peek() === "square" ? "linear" : "square" },
@@ -182,26 +182,26 @@ var Kl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => Sl.value = e
+    run: () => Cl.value = e
   })),
-  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => Ne.value = "help" },
-  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => Ne.value = "palette" }
+  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => He.value = "help" },
+  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => He.value = "palette" }
 ];
-Pl(zl);
+Tl(Ul);
 function Je() {
-  return [...(Vl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Dl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+  return [...(El.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Hl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/compare.tsx
-import { before as _l, comparing as Xl, digits as Yl, fitted as jl, useEffect as Zl, useRef as Ql, viewSize as Jl, wipeAt as At } from "./desk.js";
-import { Fragment as to, jsx as qt, jsxs as no } from "./desk.js";
-function eo() {
-  let e = Xl.value, t = _l.value, n = Ql(null);
-  if (Zl(() => {
+import { before as zl, comparing as _l, digits as Xl, fitted as Yl, useEffect as jl, useRef as Ql, viewSize as Zl, wipeAt as At } from "./desk.js";
+import { Fragment as eo, jsx as qt, jsxs as to } from "./desk.js";
+function Jl() {
+  let e = _l.value, t = zl.value, n = Ql(null);
+  if (jl(() => {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Jl.value, l = At.value, r = jl(t.picture.width, t.picture.height), o = Math.max(0, Math.min(1, (l * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+  let [a] = Zl.value, l = At.value, r = Yl(t.picture.width, t.picture.height), o = Math.max(0, Math.min(1, (l * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
     let p = s.currentTarget;
     if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
     else if (p.hasPointerCapture(s.pointerId)) {
@@ -212,7 +212,7 @@ function eo() {
     let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
     p && (s.stopPropagation(), s.preventDefault(), At.value = Math.max(0, Math.min(1, l + p)));
   };
-  return no(to, { children: [
+  return to(eo, { children: [
     qt(
       "canvas",
       {
@@ -234,7 +234,7 @@ function eo() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(l * 100),
-        "aria-valuetext": `${Yl(l * 100)} % before`,
+        "aria-valuetext": `${Xl(l * 100)} % before`,
         style: { left: `${100 * l}%` },
         onPointerDown: i,
         onPointerMove: i,
@@ -248,63 +248,63 @@ function eo() {
 import {
   chosenLamps as Wn,
   computed as Gn,
-  editor as mo,
-  effect as ho,
-  fitted as bo,
-  Gesture as go,
-  handles as fo,
+  editor as po,
+  effect as mo,
+  fitted as ho,
+  Gesture as bo,
+  handles as go,
   lamps as nt,
-  lookOnly as vo,
-  pinhole as yo,
-  placed as ko,
+  lookOnly as fo,
+  pinhole as vo,
+  placed as yo,
   positionOf as Dn,
-  positions as wo,
-  role as xo,
+  positions as ko,
+  role as wo,
   selection as On,
-  shown as Mo,
-  titleOf as Co,
-  tool as So,
-  useEffect as $o,
-  useRef as Lo,
-  viewSize as To
+  shown as xo,
+  titleOf as Mo,
+  tool as Co,
+  useEffect as So,
+  useRef as $o,
+  viewSize as Lo
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as In, ray as ao } from "./desk.js";
-import { across as lo, add as ee, cross as oo, distance as ro, dot as ue, length as io, normal as et, scale as te, sub as Me, turn as so } from "./desk.js";
-var uo = "http://www.w3.org/2000/svg", It = 84, ge = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], tt = ["x", "y", "z"], Rn = 0.1, co = 5 * Math.PI / 180, Fn = 48;
-function Nn(e, t) {
+import { project as In, ray as no } from "./desk.js";
+import { across as ao, add as ee, cross as lo, distance as oo, dot as ue, length as ro, normal as et, scale as te, sub as Me, turn as io } from "./desk.js";
+var so = "http://www.w3.org/2000/svg", It = 84, ge = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], tt = ["x", "y", "z"], Rn = 0.1, uo = 5 * Math.PI / 180, Fn = 48;
+function Hn(e, t) {
   let n = (d, b, f) => {
-    let k = document.createElementNS(uo, d);
-    return k.setAttribute("class", f), b.append(k), k;
+    let w = document.createElementNS(so, d);
+    return w.setAttribute("class", f), b.append(w), w;
   }, a = (d, b, f) => {
-    let k = n("g", e, `handle ${d} ${tt[b] ?? ""}`);
-    return k.setAttribute("data-handle", f), { group: k, hit: n("path", k, "hit"), seen: n("path", k, "seen") };
+    let w = n("g", e, `handle ${d} ${tt[b] ?? ""}`);
+    return w.setAttribute("data-handle", f), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
   }, l = n("path", e, "aim-line"), r = ge.map((d, b) => a("ring", b, `ring-${tt[b]}`)), o = ge.map((d, b) => a("plane", b, `plane-${tt[b]}`)), i = ge.map((d, b) => a("arrow", b, `move-${tt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (d, b) => {
-    let [f, k, L] = In(d.hole, b);
-    return L < 0.02 && !d.hole.parallel ? null : [d.fit.x + f * d.fit.scale, d.fit.y + k * d.fit.scale];
+    let [f, w, L] = In(d.hole, b);
+    return L < 0.02 && !d.hole.parallel ? null : [d.fit.x + f * d.fit.scale, d.fit.y + w * d.fit.scale];
   }, g = (d, b) => {
     let f = In(d.hole, b)[2];
     return It / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(f, 0.02));
   }, m = (d, b, f = !1) => {
-    let k = b.filter((C) => C !== null), L = k.length < b.length || k.length < 2 ? "" : `M${k.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${f ? "Z" : ""}`;
+    let w = b.filter((C) => C !== null), L = w.length < b.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${f ? "Z" : ""}`;
     d.setAttribute("d", L);
-  }, v = (d, b, f) => {
+  }, y = (d, b, f) => {
     d.setAttribute("d", b ? `M${b[0] - f} ${b[1]}a${f} ${f} 0 1 0 ${2 * f} 0a${f} ${f} 0 1 0 ${-2 * f} 0` : "");
-  }, y = (d, b) => d.forEach((f) => f.group.classList.toggle("gone", !b));
+  }, k = (d, b) => d.forEach((f) => f.group.classList.toggle("gone", !b));
   function R(d, b) {
-    let f = d.position, k = c(b, f), L = g(b, f), C = d.mode === "move";
-    y([...i, ...o, u], C && k !== null), y(r, !C && k !== null && d.direction !== null);
+    let f = d.position, w = c(b, f), L = g(b, f), C = d.mode === "move";
+    k([...i, ...o, u], C && w !== null), k(r, !C && w !== null && d.direction !== null);
     let z = d.aim ?? (d.direction ? ee(f, te(d.direction, 3 * L)) : null);
-    if (y([s], z !== null && k !== null), !k) {
+    if (k([s], z !== null && w !== null), !w) {
       l.setAttribute("d", "");
       return;
     }
     ge.forEach((K, N) => {
-      let I = c(b, ee(f, te(K, L))), he = I ? Math.hypot(I[0] - k[0], I[1] - k[1]) < 12 : !0;
+      let I = c(b, ee(f, te(K, L))), he = I ? Math.hypot(I[0] - w[0], I[1] - w[1]) < 12 : !0;
       if (i[N].group.classList.toggle("gone", !C || he), I && C) {
-        let [be, Fe] = [(I[0] - k[0]) / It, (I[1] - k[1]) / It], je = Math.hypot(be, Fe) || 1, [re, He] = [be / je, Fe / je], Tt = [k[0] + 14 * re, k[1] + 14 * He];
-        m(i[N].hit, [Tt, I]), i[N].seen.setAttribute("d", `M${Tt[0].toFixed(1)} ${Tt[1].toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}M${(I[0] - 9 * re - 4.5 * He).toFixed(1)} ${(I[1] - 9 * He + 4.5 * re).toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}L${(I[0] - 9 * re + 4.5 * He).toFixed(1)} ${(I[1] - 9 * He - 4.5 * re).toFixed(1)}`);
+        let [be, Fe] = [(I[0] - w[0]) / It, (I[1] - w[1]) / It], je = Math.hypot(be, Fe) || 1, [re, Ne] = [be / je, Fe / je], Tt = [w[0] + 14 * re, w[1] + 14 * Ne];
+        m(i[N].hit, [Tt, I]), i[N].seen.setAttribute("d", `M${Tt[0].toFixed(1)} ${Tt[1].toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}M${(I[0] - 9 * re - 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne + 4.5 * re).toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}L${(I[0] - 9 * re + 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne - 4.5 * re).toFixed(1)}`);
       }
       let [Ie, Re] = [ge[(N + 1) % 3], ge[(N + 2) % 3]], j = Math.abs(ue(K, b.hole.parallel ? b.hole.forward : et(Me(f, b.hole.eye)))) < 0.15;
       o[N].group.classList.toggle("gone", !C || j);
@@ -316,24 +316,24 @@ function Nn(e, t) {
         });
         m(r[N].hit, be), m(r[N].seen, be);
       }
-    }), v(u.hit, k, 13), v(u.seen, k, 7);
+    }), y(u.hit, w, 13), y(u.seen, w, 7);
     let q = z && c(b, z);
-    m(l, [k, q]), v(s.hit, q, 16), s.seen.setAttribute("d", q ? `M${q[0] - 8} ${q[1]}h16M${q[0]} ${q[1] - 8}v16M${q[0] - 5} ${q[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+    m(l, [w, q]), y(s.hit, q, 16), s.seen.setAttribute("d", q ? `M${q[0] - 8} ${q[1]}h16M${q[0]} ${q[1] - 8}v16M${q[0] - 5} ${q[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let B = t.effect(() => {
     let d = t.target.value, b = t.view.value;
     e.classList.toggle("empty", !d || !b), d && b && R(d, b);
-  }), dn = (d, b, f) => ao(d.hole, (b.clientX - f.left - d.fit.x) / d.fit.scale, (b.clientY - f.top - d.fit.y) / d.fit.scale);
+  }), dn = (d, b, f) => no(d.hole, (b.clientX - f.left - d.fit.x) / d.fit.scale, (b.clientY - f.top - d.fit.y) / d.fit.scale);
   function qe(d, b, f) {
-    d.addEventListener("pointerdown", (k) => {
-      if (k.button !== 0) return;
-      k.preventDefault(), k.stopPropagation();
+    d.addEventListener("pointerdown", (w) => {
+      if (w.button !== 0) return;
+      w.preventDefault(), w.stopPropagation();
       let L = t.view.peek();
       if (!L || !t.target.peek()) return;
-      let C = e.getBoundingClientRect(), z = f(L), q = t.hold(b), K = dn(L, k, C);
+      let C = e.getBoundingClientRect(), z = f(L), q = t.hold(b), K = dn(L, w, C);
       z(K, !1, { ...q, move: () => {
       }, turn: () => {
-      } }), d.setPointerCapture(k.pointerId), d.classList.add("held");
+      } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
       let N = (j) => {
         p.textContent = z(dn(L, j, C), j.ctrlKey || j.metaKey, q), p.setAttribute("x", String(j.clientX - C.left + 16)), p.setAttribute("y", String(j.clientY - C.top - 12));
       }, I = (j) => {
@@ -347,61 +347,61 @@ function Nn(e, t) {
   let $t = (d, b, f) => f ? Math.round(d / b) * b : d, Lt = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
   ge.forEach((d, b) => {
     qe(i[b].group, "move", () => {
-      let f = t.target.peek().position, k = null;
+      let f = t.target.peek().position, w = null;
       return (L, C, z) => {
-        let q = po(f, d, L);
-        k ??= q;
-        let K = te(d, $t(q - k, Rn, C));
+        let q = co(f, d, L);
+        w ??= q;
+        let K = te(d, $t(q - w, Rn, C));
         return z.move(K), Lt(K);
       };
     }), qe(o[b].group, "move", () => hn(d)), qe(r[b].group, "turn", () => {
-      let f = t.target.peek(), k = f.direction, L = { at: null };
+      let f = t.target.peek(), w = f.direction, L = { at: null };
       return (C, z, q) => {
-        let K = Hn(f.position, d, C), N = K && et(Me(K, f.position), lo(d));
+        let K = Nn(f.position, d, C), N = K && et(Me(K, f.position), ao(d));
         if (!N) return "";
         L.at ??= N;
-        let I = Math.atan2(ue(d, oo(L.at, N)), ue(L.at, N)), he = $t(I, co, z);
-        return q.turn(et(so(k, d, he)), null), `${(he * 180 / Math.PI).toFixed(1)}°`;
+        let I = Math.atan2(ue(d, lo(L.at, N)), ue(L.at, N)), he = $t(I, uo, z);
+        return q.turn(et(io(w, d, he)), null), `${(he * 180 / Math.PI).toFixed(1)}°`;
       };
     });
   }), qe(u.group, "move", (d) => hn(d.hole.forward)), qe(s.group, "aim", (d) => {
-    let b = t.target.peek(), f = b.aim ?? ee(b.position, te(b.direction, 3 * g(d, b.position))), k = bn(f, d.hole.forward);
+    let b = t.target.peek(), f = b.aim ?? ee(b.position, te(b.direction, 3 * g(d, b.position))), w = bn(f, d.hole.forward);
     return (L, C, z) => {
-      let q = k(L, C), K = ee(f, q);
-      return ro(K, b.position) > 1e-3 && z.turn(et(Me(K, b.position)), K), Lt(K);
+      let q = w(L, C), K = ee(f, q);
+      return oo(K, b.position) > 1e-3 && z.turn(et(Me(K, b.position)), K), Lt(K);
     };
   });
   function hn(d) {
     let b = bn(t.target.peek().position, d);
-    return (f, k, L) => {
-      let C = b(f, k);
+    return (f, w, L) => {
+      let C = b(f, w);
       return L.move(C), Lt(C);
     };
   }
   function bn(d, b) {
     let f = null;
-    return (k, L) => {
-      let C = Hn(d, b, k);
+    return (w, L) => {
+      let C = Nn(d, b, w);
       return C ? (f ??= C, Me(C, f).map((z) => $t(z, Rn, L))) : [0, 0, 0];
     };
   }
   return { stop: B };
 }
-function po(e, t, n) {
+function co(e, t, n) {
   let a = Me(e, n.origin), l = ue(t, n.direction), r = 1 - l * l;
   return r < 1e-6 ? 0 : (l * ue(n.direction, a) - ue(t, a)) / r;
 }
-function Hn(e, t, n) {
+function Nn(e, t, n) {
   let a = ue(t, n.direction);
-  if (Math.abs(a) < 1e-4 * io(t)) return null;
+  if (Math.abs(a) < 1e-4 * ro(t)) return null;
   let l = ue(Me(e, n.origin), t) / a;
   return l < 0 || l > 1e3 ? null : ee(n.origin, te(n.direction, l));
 }
 
 // src/later/handles.tsx
-import { jsx as Io } from "./desk.js";
-var Po = Gn(() => {
-  if (On.value?.kind !== "lamp" && On.value?.kind !== "group" || vo.value || xo.value === "watch" || !mo.value.you || So.value === "aim") return null;
+import { jsx as qo } from "./desk.js";
+var To = Gn(() => {
+  if (On.value?.kind !== "lamp" && On.value?.kind !== "group" || fo.value || wo.value === "watch" || !po.value.you || Co.value === "aim") return null;
   let e = Wn.value.filter((n) => Dn(nt.get(n)));
   if (!e.length) return null;
   let t = nt.get(e[e.length - 1]);
@@ -409,21 +409,21 @@ var Po = Gn(() => {
     position: Dn(t),
     direction: t.place?.direction ?? null,
     aim: t.place?.aim ?? null,
-    mode: fo.value
+    mode: go.value
   };
-}), Eo = Gn(() => {
-  let e = Mo.value;
-  if (To.value, !e) return null;
+}), Po = Gn(() => {
+  let e = xo.value;
+  if (Lo.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: yo(e.camera, t, n), fit: bo(t, n) };
-}), Vo = () => Wn.peek().filter((e) => nt.entry(e)), Ao = {
-  effect: ho,
-  target: Po,
-  view: Eo,
+  return { hole: vo(e.camera, t, n), fit: ho(t, n) };
+}), Eo = () => Wn.peek().filter((e) => nt.entry(e)), Vo = {
+  effect: mo,
+  target: To,
+  view: Po,
   hold(e) {
-    let t = Vo(), n = e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn", a = new go(`${n} ${Co(t)}`), l = wo(t);
+    let t = Eo(), n = e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn", a = new bo(`${n} ${Mo(t)}`), l = ko(t);
     return {
-      move: (r) => a.set(ko(t, r, l)),
+      move: (r) => a.set(yo(t, r, l)),
       turn: (r, o) => {
         let i = Object.fromEntries(
           t.filter((u) => nt.entry(u)?.shown.peek().place?.direction).map((u) => [u, { place: { direction: r, aim: o } }])
@@ -435,9 +435,9 @@ var Po = Gn(() => {
     };
   }
 };
-function qo() {
-  let e = Lo(null);
-  return $o(() => Nn(e.current, Ao).stop, []), Io("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Ao() {
+  let e = $o(null);
+  return So(() => Hn(e.current, Vo).stop, []), qo("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/inspector.tsx
@@ -459,7 +459,7 @@ import {
 } from "./desk.js";
 
 // src/later/parts.tsx
-import { Field as Bn, Gesture as Ro, Range as Fo, stroke as Ho, useRef as No } from "./desk.js";
+import { Field as Bn, Gesture as Io, Range as Ro, stroke as Fo, useRef as No } from "./desk.js";
 import { jsx as ne, jsxs as at } from "./desk.js";
 function V({ title: e, note: t, children: n }) {
   return at("section", { class: "part", "aria-label": e, children: [
@@ -479,7 +479,11 @@ function A(e) {
     ne(Bn, { ...e })
   ] });
 }
-function Q({ label: e, names: t, quantity: n, value: a, set: l, step: r, disabled: o }) {
+function Ho(e, t) {
+  if (e !== null)
+    return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
+}
+function Z({ label: e, names: t, quantity: n, value: a, set: l, step: r, disabled: o }) {
   let i = t ?? ["X", "Y", "Z"];
   return at("div", { class: "line", role: "group", "aria-label": e, children: [
     ne("span", { children: e }),
@@ -489,7 +493,7 @@ function Q({ label: e, names: t, quantity: n, value: a, set: l, step: r, disable
         label: `${e} ${u}`,
         quantity: n,
         value: a[s],
-        text: a[s] === null ? void 0 : n === "length" ? a[s].toFixed(2) : void 0,
+        text: Ho(a[s], n),
         step: r,
         disabled: o,
         set: (p) => l(s, p)
@@ -501,9 +505,9 @@ function Q({ label: e, names: t, quantity: n, value: a, set: l, step: r, disable
 function Ce({ label: e, name: t, value: n, text: a, patch: l, reset: r, notch: o, class: i, style: u, disabled: s }) {
   let p = No(null), c = (m) => () => {
     p.current?.[m](), p.current = null;
-  }, g = (m) => p.current ? p.current.set(l(m)) : Ho(e + t, t, l(m));
+  }, g = (m) => p.current ? p.current.set(l(m)) : Fo(e + t, t, l(m));
   return ne(
-    Fo,
+    Ro,
     {
       label: e,
       value: n,
@@ -512,7 +516,7 @@ function Ce({ label: e, name: t, value: n, text: a, patch: l, reset: r, notch: o
       class: i,
       gradient: u,
       disabled: s,
-      begin: () => p.current = new Ro(t),
+      begin: () => p.current = new Io(t),
       on: g,
       end: c("end"),
       cancel: c("cancel"),
@@ -559,8 +563,8 @@ function Xn() {
         T("span", { children: "Measures" }),
         T("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Go.map(([a, l]) => T("option", { value: a, children: l }, a)) })
       ] }),
-      T(Q, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, l) => n("move", { point: ae(t.point, a, l) }) }),
-      T(Q, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, l) => n("turn", { normal: ae(t.normal, a, l) }) }),
+      T(Z, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, l) => n("move", { point: ae(t.point, a, l) }) }),
+      T(Z, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, l) => n("turn", { normal: ae(t.normal, a, l) }) }),
       U("button", { class: "plain full", onClick: () => {
         Un(), lt(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
@@ -575,8 +579,8 @@ function Yn() {
   let e = _n.value?.ids[0], t = Do.get(e);
   if (!t) return T("p", { class: "quiet empty", children: "This grid is gone." });
   let n = Rt.value, a = (i, u) => {
-    let { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: R } = { ...t, ...u };
-    lt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: R } } });
+    let { name: s, corner: p, u: c, v: g, normal: m, columns: y, rows: k, target: R } = { ...t, ...u };
+    lt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: m, columns: y, rows: k, target: R } } });
   }, l = () => {
     let i = Wo(Math.max($e(t.u), $e(t.v)));
     a("standard spacing", { columns: Math.max(1, Math.ceil($e(t.u) / i)), rows: Math.max(1, Math.ceil($e(t.v) / i)) });
@@ -625,7 +629,7 @@ function Yn() {
         T(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: o.uniformity, set: (i) => a("target", { target: { ...o, uniformity: i(o.uniformity) } }) })
       ] }),
       U(V, { title: "Area", children: [
-        T(Q, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: ae(t.corner, i, u) }) }),
+        T(Z, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: ae(t.corner, i, u) }) }),
         T(A, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
         T(A, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
         T("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: l, children: "Spacing of the standard" }),
@@ -645,7 +649,6 @@ import {
   act as ye,
   chosenLamps as nr,
   copyAlong as ar,
-  digits as lr,
   dot as Wt,
   edit as it,
   format as ra,
@@ -653,49 +656,49 @@ import {
   handles as ot,
   Icon as Te,
   lamps as Ut,
-  layers as or,
+  layers as lr,
   normal as ia,
   output as sa,
   percent as Kt,
-  placed as rr,
+  placed as or,
   positionOf as ea,
-  positions as ir,
+  positions as rr,
   selection as Gt,
   signal as ua,
-  spot as sr,
+  spot as ir,
   sub as ta,
   titleOf as zt,
-  tool as ur,
+  tool as sr,
   toLevel as na,
-  toTravel as cr,
+  toTravel as ur,
   typeLevel as Bt,
-  up as pr,
-  Fade as mr,
-  Field as dr,
+  up as cr,
+  Fade as pr,
+  Field as mr,
   wantLevel as aa,
   compass as ca,
   add as ut,
   scale as Pe,
-  length as hr,
-  Range as br,
+  length as dr,
+  Range as hr,
   strokeLevel as la,
-  useRef as gr
+  useRef as br
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
   chosenLamps as zo,
-  digits as Zn,
+  digits as Qn,
   edit as _o,
   fromHex as Xo,
   hex as Yo,
-  lamps as Qn,
+  lamps as Zn,
   mired as ve,
   titleOf as jo
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Bo, mired as Ht } from "./desk.js";
+import { css as Bo, mired as Nt } from "./desk.js";
 function Ko(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
@@ -710,32 +713,32 @@ function Uo(e) {
 }
 function jn(e, t, n = 9) {
   return `linear-gradient(to right, ${Array.from({ length: n }, (l, r) => {
-    let o = Ht(e) + (Ht(t) - Ht(e)) * r / (n - 1);
+    let o = Nt(e) + (Nt(t) - Nt(e)) * r / (n - 1);
     return Bo(Ko(...Uo(1e6 / o)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as Dt, jsx as D, jsxs as ce } from "./desk.js";
-var We = 1800, Ot = 1e4, Zo = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Qo = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Jo = jn(We, Ot), Nt = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Qn.get(n).color) }]))
+import { Fragment as Dt, jsx as H, jsxs as ce } from "./desk.js";
+var We = 1800, Ot = 1e4, Qo = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Zo = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Jo = jn(We, Ot), Ht = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Zn.get(n).color) }]))
 }), er = (e) => {
   let t = 1e6 / (ve(We) + (ve(Ot) - ve(We)) * e);
   return Math.round(t / 10) * 10;
 }, tr = (e) => (ve(e) - ve(We)) / (ve(Ot) - ve(We));
 function Jn() {
-  let e = zo.value, t = e.map((o) => Qn.get(o)?.color).filter((o) => o !== void 0);
+  let e = zo.value, t = e.map((o) => Zn.get(o)?.color).filter((o) => o !== void 0);
   if (!t.length) return null;
-  let n = W(t.map((o) => o.mode)), a = t[0], l = jo(e), r = (o, i) => _o(`${l}: ${o}`, Nt(e, i));
+  let n = W(t.map((o) => o.mode)), a = t[0], l = jo(e), r = (o, i) => _o(`${l}: ${o}`, Ht(e, i));
   return ce(Dt, { children: [
     ce("div", { class: "line", children: [
-      D("span", { children: "Colour" }),
-      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Qo.map(([o, i]) => D("button", { "aria-pressed": n === o, onClick: () => r(`colour by ${i}`, () => ({ mode: o })), children: i }, o)) })
+      H("span", { children: "Colour" }),
+      H("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Zo.map(([o, i]) => H("button", { "aria-pressed": n === o, onClick: () => r(`colour by ${i}`, () => ({ mode: o })), children: i }, o)) })
     ] }),
     n === "kelvin" && ce(Dt, { children: [
       ce("div", { class: "line slide", children: [
-        D("span", { children: "White" }),
-        D(
+        H("span", { children: "White" }),
+        H(
           Ce,
           {
             label: "Colour temperature",
@@ -743,12 +746,12 @@ function Jn() {
             class: "mired",
             style: Jo,
             value: tr(a.kelvin),
-            text: `${Zn(a.kelvin)} kelvin`,
-            patch: (o) => Nt(e, () => ({ mode: "kelvin", kelvin: er(o) }))
+            text: `${Qn(a.kelvin)} kelvin`,
+            patch: (o) => Ht(e, () => ({ mode: "kelvin", kelvin: er(o) }))
           }
         )
       ] }),
-      D(
+      H(
         A,
         {
           label: "",
@@ -758,32 +761,32 @@ function Jn() {
           set: (o) => r("white", (i) => ({ mode: "kelvin", kelvin: o(i.kelvin) }))
         }
       ),
-      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: Zo.map(([o, i]) => D("button", { title: i, "aria-label": `${o} kelvin, ${i}`, onClick: () => r(`${o} K`, () => ({ mode: "kelvin", kelvin: o })), children: o }, o)) }),
+      H("div", { class: "whites", role: "group", "aria-label": "Whites", children: Qo.map(([o, i]) => H("button", { title: i, "aria-label": `${o} kelvin, ${i}`, onClick: () => r(`${o} K`, () => ({ mode: "kelvin", kelvin: o })), children: o }, o)) }),
       ce("div", { class: "line slide", children: [
-        D("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
-        D(
+        H("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
+        H(
           Ce,
           {
             label: "Tint, magenta to green",
             name: `${l}: tint`,
             class: "tints",
             value: (a.tint + 20) / 40,
-            text: `${Zn(a.tint, 1)} thousandths`,
+            text: `${Qn(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (o) => Nt(e, () => ({ tint: Math.round((o * 40 - 20) * 2) / 2 }))
+            patch: (o) => Ht(e, () => ({ tint: Math.round((o * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      D(A, { label: "", quantity: "number", value: W(t.map((o) => o.tint)), step: 1, set: (o) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, o(i.tint))) })) })
+      H(A, { label: "", quantity: "number", value: W(t.map((o) => o.tint)), step: 1, set: (o) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, o(i.tint))) })) })
     ] }),
     n === "rgb" && ce(Dt, { children: [
       ce("label", { class: "line", children: [
-        D("span", { children: "Colour" }),
-        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: Yo(a.rgb), onChange: (o) => r("colour", () => ({ mode: "rgb", rgb: Xo(o.currentTarget.value) })) })
+        H("span", { children: "Colour" }),
+        H("input", { type: "color", class: "pick", "aria-label": "Colour", value: Yo(a.rgb), onChange: (o) => r("colour", () => ({ mode: "rgb", rgb: Xo(o.currentTarget.value) })) })
       ] }),
-      D(
-        Q,
+      H(
+        Z,
         {
           label: "Linear",
           names: ["R", "G", "B"],
@@ -795,8 +798,8 @@ function Jn() {
       )
     ] }),
     n === "xy" && ce("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
-      D("span", { children: "x, y" }),
-      D("span", { class: "triple", children: [0, 1].map((o) => D(
+      H("span", { children: "x, y" }),
+      H("span", { class: "triple", children: [0, 1].map((o) => H(
         A,
         {
           label: "xy"[o],
@@ -808,13 +811,13 @@ function Jn() {
         o
       )) })
     ] }),
-    n === null && D("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
+    n === null && H("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
   ] });
 }
 
 // src/later/lamp.tsx
-import { Fragment as _t, jsx as w, jsxs as F } from "./desk.js";
-var Le = ua(1), rt = ua([1, 0, 0]), ct = 180 / Math.PI;
+import { Fragment as _t, jsx as v, jsxs as D } from "./desk.js";
+var Le = ua(1), rt = ua([1, 0, 0]), gr = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], ct = 180 / Math.PI;
 function oa(e, t) {
   let { right: n, ahead: a } = ca(t), l = -Wt(e, t);
   return [Math.atan2(Wt(e, n), Wt(e, a)) * ct, Math.asin(Math.max(-1, Math.min(1, l))) * ct];
@@ -825,30 +828,30 @@ function fr(e, t, n) {
 }
 function vr({ ids: e, all: t }) {
   let n = t.some((a) => a.place?.direction);
-  return F("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    F("button", { "aria-pressed": ur.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => ye("aim"), children: [
-      w(Te, { name: "aim" }),
+  return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
+    D("button", { "aria-pressed": sr.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => ye("aim"), children: [
+      v(Te, { name: "aim" }),
       "Aim"
     ] }),
-    w("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => ye("solo"), children: w(Te, { name: "solo" }) }),
-    w("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => ye("from-lamp"), children: w(Te, { name: "eye" }) }),
-    w("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => ye("frame"), children: w(Te, { name: "frame" }) }),
-    w("span", { class: "gap" }),
-    w("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => ye("park"), children: "Park" }),
-    w("button", { class: "icon", "aria-label": `Remove ${zt(e)}`, title: "Remove (Del)", onClick: () => ye("remove"), children: w(Te, { name: "bin" }) })
+    v("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => ye("solo"), children: v(Te, { name: "solo" }) }),
+    v("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => ye("from-lamp"), children: v(Te, { name: "eye" }) }),
+    v("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => ye("frame"), children: v(Te, { name: "frame" }) }),
+    v("span", { class: "gap" }),
+    v("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => ye("park"), children: "Park" }),
+    v("button", { class: "icon", "aria-label": `Remove ${zt(e)}`, title: "Remove (Del)", onClick: () => ye("remove"), children: v(Te, { name: "bin" }) })
   ] });
 }
 function yr({ ids: e, all: t }) {
   let n = W(t.map((o) => o.level)), a = t.reduce((o, i) => o + i.flux * sa(i), 0), l = t.every((o) => o.free), r = e[e.length - 1];
-  return F(V, { title: "Light", note: l ? "re-mix" : "re-trace", children: [
-    F("div", { class: "line slide", children: [
-      w("span", { children: "Level" }),
-      w(kr, { id: r })
+  return D(V, { title: "Light", note: l ? "re-mix" : "re-trace", children: [
+    D("div", { class: "line slide", children: [
+      v("span", { children: "Level" }),
+      v(kr, { id: r })
     ] }),
-    F("label", { class: "line", children: [
-      w("span", {}),
-      w(
-        dr,
+    D("label", { class: "line", children: [
+      v("span", {}),
+      v(
+        mr,
         {
           label: "Level of the selection",
           quantity: "level",
@@ -862,7 +865,7 @@ function yr({ ids: e, all: t }) {
         }
       )
     ] }),
-    w(
+    v(
       A,
       {
         label: "Flux",
@@ -871,33 +874,32 @@ function yr({ ids: e, all: t }) {
         set: (o) => Bt(e, (i, u) => o(i * u) / u)
       }
     ),
-    w("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: [-1, -1 / 3, 1 / 3, 1].map((o) => F("button", { onClick: () => Bt(e, (i) => Math.min(1e3, i * 2 ** o)), children: [
-      o < 0 ? "−" : "+",
-      Math.abs(o) === 1 ? "1" : "⅓",
-      " stop"
-    ] }, o)) }),
-    F("p", { class: "sum", children: [
+    D("div", { class: "line", children: [
+      v("span", { children: "Stops" }),
+      v("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: gr.map(([o, i]) => v("button", { "aria-label": `${i} stop`, onClick: () => Bt(e, (u) => Math.min(1e3, u * 2 ** o)), children: i }, i)) })
+    ] }),
+    D("p", { class: "sum", children: [
       ra(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
       t.length === 1 && t[0].group !== null && (st.get(t[0].group)?.level ?? 1) !== 1 && ` (${Kt(t[0].level)} % × ${Kt(st.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    w(Jn, {})
+    v(Jn, {})
   ] });
 }
 function kr({ id: e }) {
-  let t = gr(null), n = Ut.get(e);
+  let t = br(null), n = Ut.get(e);
   if (!n) return null;
   let a = { kind: "lamp", id: e }, l = (r) => () => {
     t.current?.[r](), t.current = null;
   };
-  return w(
-    br,
+  return v(
+    hr,
     {
       label: "Level",
-      value: cr(n.level),
+      value: ur(n.level),
       text: `${Kt(n.level)} %, ${ra(n.flux * sa(n), "flux")}`,
-      begin: () => t.current = new mr(a),
+      begin: () => t.current = new pr(a),
       on: (r) => t.current ? t.current.to(na(r)) : la(a, na(r)),
       end: l("end"),
       cancel: l("cancel"),
@@ -915,96 +917,93 @@ function Ge(e, t, n) {
 }
 function wr({ ids: e, all: t }) {
   let n = (l) => W(t.map((r) => r.place?.[l] ?? null)), a = (l) => t.some((r) => r.place?.[l] != null);
-  return !a("outer") && !a("radius") ? null : F(V, { title: "Beam", note: "re-trace", children: [
-    a("outer") && F(_t, { children: [
-      w(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (l) => Ge(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, l(r.inner ?? r.outer))) }) }),
-      w(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (l) => Ge(e, "beam", (r) => {
+  return !a("outer") && !a("radius") ? null : D(V, { title: "Beam", note: "re-trace", children: [
+    a("outer") && D(_t, { children: [
+      v(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (l) => Ge(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, l(r.inner ?? r.outer))) }) }),
+      v(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (l) => Ge(e, "beam", (r) => {
         if (r.outer == null) return null;
         let o = Math.max(0.2, Math.min(179, l(r.outer)));
         return { outer: o, inner: Math.min(r.inner ?? o, o) };
       }) })
     ] }),
-    a("radius") && w(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (l) => Ge(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, l(r.radius)) }) })
+    a("radius") && v(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (l) => Ge(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, l(r.radius)) }) })
   ] });
 }
 function xr({ ids: e, all: t }) {
   let n = t.filter((c) => ea(c) !== null);
   if (!n.length) return null;
-  let a = n.map((c) => ea(c)), l = (c, g) => W(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), o = pr.value, i = r.map((c) => oa(c.place?.direction, o).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
-    let m = ir(e), v = {};
-    for (let [y, R] of m) {
+  let a = n.map((c) => ea(c)), l = (c, g) => W(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), o = cr.value, i = r.map((c) => oa(c.place?.direction, o).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
+    let m = rr(e), y = {};
+    for (let [k, R] of m) {
       let B = [0, 0, 0];
-      B[c] = g(R[c]) - R[c], Object.assign(v, rr([y], B, m).lamps);
+      B[c] = g(R[c]) - R[c], Object.assign(y, or([k], B, m).lamps);
     }
-    it(`Move ${zt(e)}`, { lamps: v });
+    it(`Move ${zt(e)}`, { lamps: y });
   }, p = (c, g) => Ge(e, c ? "tilt" : "pan", (m) => {
     if (!m.direction) return null;
-    let v = oa(m.direction, o);
-    v[c] = g(v[c]);
-    let y = fr(v[0], Math.max(-90, Math.min(90, v[1])), o), R = m.aim && m.position ? hr(ta(m.aim, m.position)) : 0;
-    return { direction: y, ...R && m.position ? { aim: ut(m.position, Pe(y, R)) } : {} };
+    let y = oa(m.direction, o);
+    y[c] = g(y[c]);
+    let k = fr(y[0], Math.max(-90, Math.min(90, y[1])), o), R = m.aim && m.position ? dr(ta(m.aim, m.position)) : 0;
+    return { direction: k, ...R && m.position ? { aim: ut(m.position, Pe(k, R)) } : {} };
   });
-  return F(V, { title: "Place", note: "re-trace", children: [
-    w(Q, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => l(c, a)), set: s }),
-    r.length > 0 && F(_t, { children: [
-      w(A, { label: "Pan", quantity: "angle", step: 1, value: W(i.map((c) => c[0])), set: (c) => p(0, c) }),
-      w(A, { label: "Tilt", quantity: "angle", step: 1, value: W(i.map((c) => c[1])), set: (c) => p(1, c) }),
-      w(
-        Q,
+  return D(V, { title: "Place", note: "re-trace", children: [
+    v(Z, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => l(c, a)), set: s }),
+    r.length > 0 && D(_t, { children: [
+      v(A, { label: "Pan", quantity: "angle", step: 1, value: W(i.map((c) => c[0])), set: (c) => p(0, c) }),
+      v(A, { label: "Tilt", quantity: "angle", step: 1, value: W(i.map((c) => c[1])), set: (c) => p(1, c) }),
+      v(
+        Z,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
-          value: u.length ? [0, 1, 2].map((c) => l(c, u)) : [null, null, null],
+          value: u.length ? [0, 1, 2].map((c) => l(c, u)) : [NaN, NaN, NaN],
           set: (c, g) => Ge(e, "aim", (m) => {
             if (!m.direction || !m.position) return null;
-            let v = ae(m.aim ?? ut(m.position, Pe(m.direction, 2)), c, g);
-            return { aim: v, direction: ia(ta(v, m.position)) };
+            let y = ae(m.aim ?? ut(m.position, Pe(m.direction, 2)), c, g);
+            return { aim: y, direction: ia(ta(y, m.position)) };
           })
         }
       )
     ] }),
-    F("div", { class: "line", children: [
-      w("span", { children: "Handles" }),
-      F("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        w("button", { "aria-pressed": ot.value === "move", onClick: () => ot.value = "move", children: "Move" }),
-        w("button", { "aria-pressed": ot.value === "turn", onClick: () => ot.value = "turn", children: "Turn" })
+    D("div", { class: "line", children: [
+      v("span", { children: "Handles" }),
+      D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
+        v("button", { "aria-pressed": ot.value === "move", onClick: () => ot.value = "move", children: "Move" }),
+        v("button", { "aria-pressed": ot.value === "turn", onClick: () => ot.value = "turn", children: "Turn" })
       ] })
     ] }),
-    r.length > 0 && sr.value && w("button", { class: "plain full", onClick: () => ye("aim-here"), children: "Aim at the last point" })
+    r.length > 0 && ir.value && v("button", { class: "plain full", onClick: () => ye("aim-here"), children: "Aim at the last point" })
   ] });
 }
 function Mr({ ids: e, all: t }) {
-  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : F(V, { title: "Copies along a line", children: [
-    w(A, { label: "How many", quantity: "number", step: 1, value: Le.value, set: (n) => Le.value = Math.max(1, Math.min(100, Math.round(n(Le.value)))) }),
-    w(Q, { label: "Step", quantity: "length", step: 0.05, value: rt.value, set: (n, a) => rt.value = ae(rt.value, n, a) }),
-    F("button", { class: "plain full", onClick: () => ar(e, Le.value, rt.value), children: [
-      w(Te, { name: "copy" }),
+  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(V, { title: "Copies along a line", children: [
+    v(A, { label: "How many", quantity: "number", step: 1, value: Le.value, set: (n) => Le.value = Math.max(1, Math.min(100, Math.round(n(Le.value)))) }),
+    v(Z, { label: "Step", quantity: "length", step: 0.05, value: rt.value, set: (n, a) => rt.value = ae(rt.value, n, a) }),
+    D("button", { class: "plain full", onClick: () => ar(e, Le.value, rt.value), children: [
+      v(Te, { name: "copy" }),
       Le.value === 1 ? "One copy" : `${Le.value} copies`
     ] })
   ] });
 }
 function pa() {
   let e = nr.value, t = e.map((o) => Ut.get(o)).filter((o) => !!o);
-  if (!t.length) return w("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && st.get(n.group), l = Gt.value?.kind === "group" ? st.get(Gt.value.ids[0]) : void 0, r = n?.layer != null ? or.value[n.layer] : void 0;
-  return F(_t, { children: [
-    w("header", { class: "panel-head", children: n ? w(Se, { label: "Name of the lamp", value: n.name, set: (o) => it(`Rename ${n.name}`, { lamps: { [e[0]]: { name: o } } }) }) : l ? w(Se, { label: "Name of the group", value: l.name, set: (o) => it(`Rename ${l.name}`, { groups: { [Gt.value.ids[0]]: { name: o } } }) }) : F("h2", { children: [
+  if (!t.length) return v("p", { class: "quiet empty", children: "This lamp is gone." });
+  let n = t.length === 1 ? t[0] : null, a = n && st.get(n.group), l = Gt.value?.kind === "group" ? st.get(Gt.value.ids[0]) : void 0, r = n?.layer != null ? lr.value[n.layer] : void 0;
+  return D(_t, { children: [
+    v("header", { class: "panel-head", children: n ? v(Se, { label: "Name of the lamp", value: n.name, set: (o) => it(`Rename ${n.name}`, { lamps: { [e[0]]: { name: o } } }) }) : l ? v(Se, { label: "Name of the group", value: l.name, set: (o) => it(`Rename ${l.name}`, { groups: { [Gt.value.ids[0]]: { name: o } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    F("p", { class: "crumbs", children: [
-      n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((o) => o.on).length} of ${t.length} on`,
-      n?.layer != null && ` · layer ${lr(n.layer + 1)}`
-    ] }),
-    F("div", { class: "scroll", children: [
-      w(vr, { ids: e, all: t }),
-      w(yr, { ids: e, all: t }),
-      w(V, { title: "Photometry", children: w("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      w(wr, { ids: e, all: t }),
-      w(xr, { ids: e, all: t }),
-      w(Mr, { ids: e, all: t }),
-      w("p", { class: "cost", children: t.every((o) => o.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+    v("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((o) => o.on).length} of ${t.length} on` }),
+    D("div", { class: "scroll", children: [
+      v(vr, { ids: e, all: t }),
+      v(yr, { ids: e, all: t }),
+      v(V, { title: "Photometry", children: v("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      v(wr, { ids: e, all: t }),
+      v(xr, { ids: e, all: t }),
+      v(Mr, { ids: e, all: t }),
+      v("p", { class: "cost", children: t.every((o) => o.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
@@ -1174,7 +1173,7 @@ import {
   digits as Yt,
   edit as La,
   fromHex as Fr,
-  hex as Hr,
+  hex as Nr,
   Icon as Ca,
   materials as Ta,
   middle as Sa,
@@ -1182,20 +1181,20 @@ import {
   selection as Ea,
   things as jt
 } from "./desk.js";
-import { Fragment as Qt, jsx as S, jsxs as _ } from "./desk.js";
-var Zt = 180 / Math.PI;
+import { Fragment as Zt, jsx as S, jsxs as _ } from "./desk.js";
+var Qt = 180 / Math.PI;
 function $a(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * Zt : 0;
+  return e ? 2 * Math.atan2(e[t], e[3]) * Qt : 0;
 }
-function Nr(e, t) {
-  let n = [0, 0, 0, Math.cos(t / Zt / 2)];
-  return n[e] = Math.sin(t / Zt / 2), n;
+function Hr(e, t) {
+  let n = [0, 0, 0, Math.cos(t / Qt / 2)];
+  return n[e] = Math.sin(t / Qt / 2), n;
 }
 function Va() {
   let e = (Ea.value?.ids ?? []).filter((u) => jt.get(u)), t = e.map((u) => jt.get(u));
   if (!t.length) return S("p", { class: "quiet empty", children: "This thing is gone." });
   let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, l = t.some((u) => u.locked), r = (u, s) => La(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), o = t.map((u) => u.place?.position ?? (u.box ? Sa(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
-  return _(Qt, { children: [
+  return _(Zt, { children: [
     S("header", { class: "panel-head", children: S("h2", { children: a }) }),
     i && _("p", { class: "crumbs", children: [
       i.map((u) => Yt(u, 2)).join(" × "),
@@ -1215,7 +1214,7 @@ function Va() {
       _(V, { title: "Place", note: "re-trace", children: [
         l && S("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
         S(
-          Q,
+          Z,
           {
             label: "Position",
             quantity: "length",
@@ -1233,7 +1232,7 @@ function Va() {
             step: 5,
             disabled: l,
             value: W(t.map((s) => Math.round($a(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (p) => ({ place: { rotation: Nr(u, s($a(p.place?.rotation, u))) } }))
+            set: (s) => r("turn", (p) => ({ place: { rotation: Hr(u, s($a(p.place?.rotation, u))) } }))
           },
           u
         )),
@@ -1256,14 +1255,14 @@ function Va() {
 function Aa() {
   let e = Ea.value?.ids[0], t = Ta.get(e);
   if (!t) return S("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => La(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", l = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], o = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(l), i = (s) => l.map((p) => Math.max(0, Math.min(1, o > 1e-4 ? p / o * s : s))), u = (s, p) => t[p] != null && _(Qt, { children: [
+  let n = (s, p) => La(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", l = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], o = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(l), i = (s) => l.map((p) => Math.max(0, Math.min(1, o > 1e-4 ? p / o * s : s))), u = (s, p) => t[p] != null && _(Zt, { children: [
     _("div", { class: "line slide", children: [
       S("span", { children: s }),
       S(Ce, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Yt(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
     S(A, { label: "", quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
   ] });
-  return _(Qt, { children: [
+  return _(Zt, { children: [
     S("header", { class: "panel-head", children: S("h2", { children: t.name }) }),
     S("p", { class: "crumbs", children: t.kind }),
     _("div", { class: "scroll", children: [
@@ -1275,7 +1274,7 @@ function Aa() {
         S(A, { label: "", quantity: "share", step: 0.01, value: Math.round(o * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(o))) }) }),
         _("label", { class: "line", children: [
           S("span", { children: "Colour" }),
-          S("input", { type: "color", class: "pick", "aria-label": "Colour", value: Hr(l), onChange: (s) => n("colour", { [a]: Fr(s.currentTarget.value) }) })
+          S("input", { type: "color", class: "pick", "aria-label": "Colour", value: Nr(l), onChange: (s) => n("colour", { [a]: Fr(s.currentTarget.value) }) })
         ] }),
         u("Roughness", "roughness"),
         u("Gloss", "specular")
@@ -1317,10 +1316,10 @@ function Br() {
 }
 
 // src/later/legend.tsx
-import { candles as Kr, display as Ur, Field as zr, show as _r, three as Ra, useRef as Xr } from "./desk.js";
+import { candles as Kr, display as Ur, Field as zr, show as _r, three as Xr, useRef as Yr } from "./desk.js";
 import { jsx as X, jsxs as gt } from "./desk.js";
 var tn = [1, 2, 5];
-function Yr(e, t, n) {
+function jr(e, t, n) {
   let a = [];
   if (n === "linear") {
     let l = (t - e) / 5, r = 10 ** Math.floor(Math.log10(l)), o = r * (tn.find((i) => i * r >= l) ?? 10);
@@ -1334,19 +1333,19 @@ function Yr(e, t, n) {
     }
   return a.length > 10 ? a.filter((l) => Math.abs(Math.log10(l) % 1) < 1e-6) : a;
 }
-function jr(e, t) {
+function Qr(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
 var le = (e, t) => {
   let n = { ...e, ...t };
   n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && _r({ false_color: n });
 };
-function Fa(e, t) {
+function Ra(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
   return tn[a] * 10 ** ((n - a) / 3);
 }
 function Zr() {
-  let e = Ur.value.false_color, t = Xr(null);
+  let e = Ur.value.false_color, t = Yr(null);
   if (!e) return null;
   let n = Kr.value === "fc", a = e.quantity === "illuminance", l = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, o = e.colors, i = o?.length ? `linear-gradient(to top, ${o.join(", ")})` : void 0, u = (p) => ({
     onPointerDown: (c) => {
@@ -1354,13 +1353,13 @@ function Zr() {
     },
     onPointerMove: (c) => {
       let g = t.current;
-      g?.end === p && le(e, { [p]: Fa(g.from, Math.round((g.y - c.clientY) / 14)) });
+      g?.end === p && le(e, { [p]: Ra(g.from, Math.round((g.y - c.clientY) / 14)) });
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
     onKeyDown: (c) => {
       let g = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[c.key];
-      g && (c.preventDefault(), c.stopPropagation(), le(e, { [p]: Fa(e[p], g) }));
+      g && (c.preventDefault(), c.stopPropagation(), le(e, { [p]: Ra(e[p], g) }));
     }
   }), s = ({ end: p }) => gt("div", { class: "end", children: [
     X(
@@ -1373,7 +1372,7 @@ function Zr() {
         "aria-valuenow": e[p],
         "aria-valuemin": 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${Ra(e[p] * r)} ${l}`,
+        "aria-valuetext": `${Xr(e[p] * r)} ${l}`,
         ...u(p)
       }
     ),
@@ -1401,7 +1400,7 @@ function Zr() {
       X("button", { "aria-pressed": e.lines, onClick: () => le(e, { lines: !e.lines }), children: "lines" })
     ] }),
     X(s, { end: "high" }),
-    X("div", { class: "scale", style: { background: i }, children: Yr(e.low, e.high, e.scale).map((p) => X("span", { style: { bottom: `${100 * jr(p, e)}%` }, children: Ra(p * r) }, p)) }),
+    X("div", { class: "scale", style: { background: i }, children: jr(e.low, e.high, e.scale).map((p) => X("span", { style: { bottom: `${100 * Qr(p, e)}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
     X(s, { end: "low" }),
     gt("footer", { children: [
       X("button", { onClick: () => le(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
@@ -1422,47 +1421,47 @@ function Zr() {
 // src/later/sheets.tsx
 import {
   allActions as ln,
-  act as Ua,
-  ask as ii,
-  command as si,
-  copyText as ui,
-  digits as ci,
-  go as pi,
-  hear as mi,
-  lamps as di,
+  act as Ka,
+  ask as si,
+  command as ui,
+  copyText as ci,
+  digits as pi,
+  go as mi,
+  hear as di,
+  lamps as hi,
   say as on,
-  select as hi,
+  select as bi,
   send as vt,
   sheet as Ue,
-  shown as bi,
+  shown as gi,
   signal as ze,
   useEffect as kt,
   useRef as wt,
-  walkNames as gi,
-  whyNotTo as fi
+  walkNames as fi,
+  whyNotTo as vi
 } from "./desk.js";
 
 // src/later/csv.ts
-import { add as Ha, grids as Qr, maintenance as Jr, meters as ei, scale as Na, scene as Da } from "./desk.js";
-var ti = (e) => {
+import { add as Fa, grids as Jr, maintenance as ei, meters as ti, scale as Na, scene as Ha } from "./desk.js";
+var ni = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function ni() {
-  let e = Jr.peek(), t = [["scene", Da.peek()?.name ?? ""], ["maintenance factor", e], []];
+function ai() {
+  let e = ei.peek(), t = [["scene", Ha.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of ei.all())
+  for (let [, n] of ti.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of Qr.all()) {
+  for (let [, n] of Jr.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
     for (let [l, r] of Object.entries(a)) t.push([l, r === null ? null : r * e]);
     t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), n.lux.forEach((l, r) => {
-      let [o, i] = [r % n.columns, Math.floor(r / n.columns)], u = Ha(n.corner, Ha(Na(n.u, (o + 0.5) / n.columns), Na(n.v, (i + 0.5) / n.rows)));
+      let [o, i] = [r % n.columns, Math.floor(r / n.columns)], u = Fa(n.corner, Fa(Na(n.u, (o + 0.5) / n.columns), Na(n.v, (i + 0.5) / n.rows)));
       t.push([...u.map((s) => s.toFixed(3)), l === null ? null : l * e]);
     });
   }
-  return t.map((n) => n.map(ti).join(",")).join(`\r
+  return t.map((n) => n.map(ni).join(",")).join(`\r
 `) + `\r
 `;
 }
@@ -1470,43 +1469,43 @@ function nn(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function Oa() {
-  let e = URL.createObjectURL(new Blob([ni()], { type: "text/csv" }));
-  nn(`${Da.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function Da() {
+  let e = URL.createObjectURL(new Blob([ai()], { type: "text/csv" }));
+  nn(`${Ha.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Ba = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], ft = new Uint8Array(512), an = new Uint8Array(256);
+var Ga = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], ft = new Uint8Array(512), an = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
   ft[e] = ft[e + 255] = t, an[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var Wa = (e, t) => e && t ? ft[an[e] + an[t]] : 0;
-function ai(e, t) {
+var Oa = (e, t) => e && t ? ft[an[e] + an[t]] : 0;
+function li(e, t) {
   let n = [1];
   for (let l = 0; l < t; l++) {
     let r = new Array(n.length + 1).fill(0);
     n.forEach((o, i) => {
-      r[i] ^= o, r[i + 1] ^= Wa(o, ft[l]);
+      r[i] ^= o, r[i + 1] ^= Oa(o, ft[l]);
     }), n = r;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let l = 0; l < e.length; l++) {
     let r = a[l];
-    r && n.forEach((o, i) => a[l + i] ^= Wa(o, r));
+    r && n.forEach((o, i) => a[l + i] ^= Oa(o, r));
   }
   return a.slice(e.length);
 }
-function li(e, t) {
-  let [n, a, l] = Ba[t - 1], r = [], o = (g, m) => {
-    for (let v = m - 1; v >= 0; v--) r.push(g >> v & 1);
+function oi(e, t) {
+  let [n, a, l] = Ga[t - 1], r = [], o = (g, m) => {
+    for (let y = m - 1; y >= 0; y--) r.push(g >> y & 1);
   };
   for (o(4, 4), o(e.length, 8), e.forEach((g) => o(g, 8)), o(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
   let i = [];
   for (let g = 0; g < r.length; g += 8) i.push(parseInt(r.slice(g, g + 8).join(""), 2));
   for (let g = 236; i.length < n; g ^= 253) i.push(g);
-  let u = n / l, s = Array.from({ length: l }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => ai(g, a)), c = (g) => g[0].flatMap((m, v) => g.map((y) => y[v]));
+  let u = n / l, s = Array.from({ length: l }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => li(g, a)), c = (g) => g[0].flatMap((m, y) => g.map((k) => k[y]));
   return [...c(s), ...c(p)];
 }
-var oi = [
+var ri = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1516,12 +1515,12 @@ var oi = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function ri(e) {
+function ii(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function Ga(e) {
+function Wa(e) {
   let t = e.length, n = 0, a = 0;
   for (let l of [!1, !0])
     for (let r = 0; r < t; r++) {
@@ -1539,52 +1538,52 @@ function Ga(e) {
       e[l][r] && a++, r && l && e[l][r] === e[l - 1][r] && e[l][r] === e[l][r - 1] && e[l][r] === e[l - 1][r - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function Ka(e) {
-  let t = [...new TextEncoder().encode(e)], n = Ba.findIndex(([m]) => t.length + 2 <= m) + 1;
+function Ba(e) {
+  let t = [...new TextEncoder().encode(e)], n = Ga.findIndex(([m]) => t.length + 2 <= m) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), o = (m, v, y) => {
-    m < 0 || v < 0 || m >= a || v >= a || (l[v][m] = y, r[v][m] = !0);
+  let a = 17 + 4 * n, l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), o = (m, y, k) => {
+    m < 0 || y < 0 || m >= a || y >= a || (l[y][m] = k, r[y][m] = !0);
   };
   for (let m = 0; m < a; m++)
     o(m, 6, m % 2 === 0), o(6, m, m % 2 === 0);
-  for (let [m, v] of [[3, 3], [a - 4, 3], [3, a - 4]])
-    for (let y = -4; y <= 4; y++)
+  for (let [m, y] of [[3, 3], [a - 4, 3], [3, a - 4]])
+    for (let k = -4; k <= 4; k++)
       for (let R = -4; R <= 4; R++) {
-        let B = Math.max(Math.abs(R), Math.abs(y));
-        o(m + R, v + y, B !== 2 && B !== 4);
+        let B = Math.max(Math.abs(R), Math.abs(k));
+        o(m + R, y + k, B !== 2 && B !== 4);
       }
   if (n > 1) {
     let m = a - 7;
-    for (let v = -2; v <= 2; v++) for (let y = -2; y <= 2; y++) o(m + y, m + v, Math.max(Math.abs(y), Math.abs(v)) !== 1);
+    for (let y = -2; y <= 2; y++) for (let k = -2; k <= 2; k++) o(m + k, m + y, Math.max(Math.abs(k), Math.abs(y)) !== 1);
   }
   let i = (m) => {
-    let v = ri(m);
-    for (let y = 0; y < 15; y++) {
-      let R = (v >> y & 1) === 1, B = y < 6 ? y : y < 8 ? y + 1 : a - 15 + y;
-      o(8, B, R), o(y < 8 ? a - 1 - y : y < 9 ? 7 : 14 - y, 8, R);
+    let y = ii(m);
+    for (let k = 0; k < 15; k++) {
+      let R = (y >> k & 1) === 1, B = k < 6 ? k : k < 8 ? k + 1 : a - 15 + k;
+      o(8, B, R), o(k < 8 ? a - 1 - k : k < 9 ? 7 : 14 - k, 8, R);
     }
     o(8, a - 8, !0);
   };
   i(0);
-  let u = li(t, n), s = 0;
+  let u = oi(t, n), s = 0;
   for (let m = a - 1; m > 0; m -= 2) {
     m === 6 && (m = 5);
-    for (let v = 0; v < a; v++)
-      for (let y of [m, m - 1]) {
-        let B = (m + 1 & 2) === 0 ? a - 1 - v : v;
-        r[B][y] || (l[B][y] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+    for (let y = 0; y < a; y++)
+      for (let k of [m, m - 1]) {
+        let B = (m + 1 & 2) === 0 ? a - 1 - y : y;
+        r[B][k] || (l[B][k] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
       }
   }
-  let p = (m) => (i(m), l.map((v, y) => v.map((R, B) => R !== (!r[y][B] && oi[m](B, y))))), c = p(0), g = Ga(c);
+  let p = (m) => (i(m), l.map((y, k) => y.map((R, B) => R !== (!r[k][B] && ri[m](B, k))))), c = p(0), g = Wa(c);
   for (let m = 1; m < 8; m++) {
-    let v = p(m), y = Ga(v);
-    y < g && ([c, g] = [v, y]);
+    let y = p(m), k = Wa(y);
+    k < g && ([c, g] = [y, k]);
   }
   return c;
 }
 
 // src/later/sheets.tsx
-import { Fragment as Li, jsx as h, jsxs as $ } from "./desk.js";
+import { Fragment as Ti, jsx as h, jsxs as $ } from "./desk.js";
 function _e({ title: e, wide: t, children: n }) {
   let a = wt(null);
   kt(() => {
@@ -1611,7 +1610,7 @@ function _e({ title: e, wide: t, children: n }) {
     }
   );
 }
-var vi = [
+var yi = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1625,7 +1624,7 @@ var vi = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function yi() {
+function ki() {
   let e = [...new Set(ln().map((t) => t.group))];
   return h(_e, { title: "All keys", wide: !0, children: $("div", { class: "help", children: [
     $("table", { children: [
@@ -1636,17 +1635,17 @@ function yi() {
         h("th", { scope: "col", children: "Keys, in the view" }),
         h("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      h("tbody", { children: vi.map(([t, n, a, l]) => $("tr", { children: [
+      h("tbody", { children: yi.map(([t, n, a, l]) => $("tr", { children: [
         h("th", { scope: "row", children: t }),
         h("td", { children: n }),
-        h("td", { children: a.replace("walking keys", gi.value) }),
+        h("td", { children: a.replace("walking keys", fi.value) }),
         h("td", { children: l })
       ] }, t)) })
     ] }),
     $("div", { class: "columns", children: [
       e.map((t) => $("section", { children: [
         h("h3", { children: t }),
-        h("dl", { children: ln().filter((n) => n.group === t && n.keys).map((n) => $(Li, { children: [
+        h("dl", { children: ln().filter((n) => n.group === t && n.keys).map((n) => $(Ti, { children: [
           h("dt", { children: n.label }),
           h("dd", { children: h("kbd", { children: n.keys }) })
         ] })) })
@@ -1668,19 +1667,19 @@ function yi() {
   ] }) });
 }
 var yt = ze(""), Ke = ze(0);
-function ki() {
-  let e = yt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((l) => a.toLowerCase().includes(l)), n = ln().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: fi(a.id), run: () => Ua(a.id) }));
+function wi() {
+  let e = yt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((l) => a.toLowerCase().includes(l)), n = ln().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: vi(a.id), run: () => Ka(a.id) }));
   for (let { name: a, camera: l } of Je())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => pi(l, a) });
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => mi(l, a) });
   if (e.length)
-    for (let [a, l] of di.all()) {
+    for (let [a, l] of hi.all()) {
       if (n.length > 60) break;
-      t(l.name) && n.push({ label: l.name, note: "lamp", why: null, run: () => hi("lamp", a) });
+      t(l.name) && n.push({ label: l.name, note: "lamp", why: null, run: () => bi("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function wi() {
-  let e = ki(), t = Math.min(Ke.value, e.length - 1);
+function xi() {
+  let e = wi(), t = Math.min(Ke.value, e.length - 1);
   kt(() => {
     yt.value = "", Ke.value = 0;
   }, []), kt(() => {
@@ -1735,10 +1734,10 @@ function wi() {
     ] })
   ] });
 }
-var za = ze([]);
-mi("links", (e) => za.value = e.links);
-function xi({ text: e }) {
-  let t = Ka(e);
+var Ua = ze([]);
+di("links", (e) => Ua.value = e.links);
+function Mi({ text: e }) {
+  let t = Ba(e);
   if (!t) return null;
   let n = t.length + 8, a = t.map((l, r) => l.map((o, i) => o ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
   return $("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
@@ -1746,23 +1745,23 @@ function xi({ text: e }) {
     h("path", { d: a, fill: "#000" })
   ] });
 }
-function Mi() {
+function Ci() {
   let e = ze(null), t = wt(e).current;
   return kt(() => {
     vt({ do: "links", what: "list" });
   }, []), $(_e, { title: "Share by link", children: [
     h("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    h("ul", { class: "links", children: za.value.map((n) => $("li", { children: [
+    h("ul", { class: "links", children: Ua.value.map((n) => $("li", { children: [
       h("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
       h("code", { children: n.address }),
       $("span", { class: "buttons", children: [
         h("button", { onClick: () => {
-          ui(n.address);
+          ci(n.address);
         }, children: "Copy" }),
         h("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
         h("button", { onClick: () => vt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && h(xi, { text: n.address })
+      t.value === n.id && h(Mi, { text: n.address })
     ] }, n.id)) }),
     $("footer", { children: [
       h("button", { onClick: () => vt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
@@ -1770,11 +1769,11 @@ function Mi() {
     ] })
   ] });
 }
-function Ci() {
+function Si() {
   let e = wt(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    si({ do: "save", name: n }), Ue.value = null, on(`Saving the version “${n}”.`);
+    ui({ do: "save", name: n }), Ue.value = null, on(`Saving the version “${n}”.`);
   };
   return $(_e, { title: "Save a version", children: [
     h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
@@ -1786,11 +1785,11 @@ function Ci() {
   ] });
 }
 var oe = ze(null);
-function Si() {
-  let e = bi.value?.head, t = wt(null), n = (l) => t.current?.querySelector(`[name=${l}]`)?.value ?? "", a = () => {
+function $i() {
+  let e = gi.value?.head, t = wt(null), n = (l) => t.current?.querySelector(`[name=${l}]`)?.value ?? "", a = () => {
     oe.value = 0;
     let [l, r] = [Number(n("width")), Number(n("height"))];
-    ii("picture", { format: n("format"), width: l, height: r, batches: Number(n("batches")) }, (o) => {
+    si("picture", { format: n("format"), width: l, height: r, batches: Number(n("batches")) }, (o) => {
       o.url ? (oe.value = null, nn(o.name, o.url), Ue.value = null) : oe.value = o.progress ?? 0;
     }, (o) => {
       oe.value = null, on(o, "warn");
@@ -1820,23 +1819,23 @@ function Si() {
     ] }),
     oe.value !== null && h("progress", { max: 1, value: oe.value, "aria-label": "Rendering" }),
     $("footer", { children: [
-      h("button", { onClick: () => Ua("command"), children: "Copy the command" }),
-      h("button", { disabled: oe.value !== null, onClick: a, children: oe.value === null ? "Render and save" : `${ci(oe.value * 100)} %` })
+      h("button", { onClick: () => Ka("command"), children: "Copy the command" }),
+      h("button", { disabled: oe.value !== null, onClick: a, children: oe.value === null ? "Render and save" : `${pi(oe.value * 100)} %` })
     ] })
   ] });
 }
-function $i() {
+function Li() {
   switch (Ue.value) {
     case "help":
-      return h(yi, {});
+      return h(ki, {});
     case "palette":
-      return h(wi, {});
+      return h(xi, {});
     case "share":
-      return h(Mi, {});
-    case "save":
       return h(Ci, {});
-    case "picture":
+    case "save":
       return h(Si, {});
+    case "picture":
+      return h($i, {});
     default:
       return null;
   }
@@ -1844,60 +1843,60 @@ function $i() {
 
 // src/later/strip.tsx
 import {
-  act as _a,
-  command as Ja,
+  act as za,
+  command as Za,
   digits as rn,
   fade as xt,
-  Field as Ti,
-  grids as Xa,
+  Field as Pi,
+  grids as _a,
   Icon as Ae,
-  looks as Ya,
+  looks as Xa,
   luxText as Ve,
-  maintenance as Pi,
-  meters as ja,
-  select as Za,
+  maintenance as Ei,
+  meters as Ya,
+  select as ja,
   selection as Mt,
-  signal as Ei,
+  signal as Vi,
   status as sn,
-  storeLook as Vi
+  storeLook as Ai
 } from "./desk.js";
-import { Fragment as Fi, jsx as M, jsxs as H } from "./desk.js";
-var un = Ei("looks");
-function Ai() {
-  return H("section", { class: "looks", "aria-label": "Looks", children: [
-    H("header", { children: [
+import { Fragment as Ni, jsx as M, jsxs as F } from "./desk.js";
+var un = Vi("looks");
+function qi() {
+  return F("section", { class: "looks", "aria-label": "Looks", children: [
+    F("header", { children: [
       M("h2", { children: "Looks" }),
       M("button", { class: "tab", onClick: () => un.value = "meters", children: "Meters" }),
-      M("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Vi, children: M(Ae, { name: "plus" }) }),
+      M("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Ai, children: M(Ae, { name: "plus" }) }),
       M("span", { class: "gap" }),
-      H("label", { class: "tint", children: [
+      F("label", { class: "tint", children: [
         "Fade",
-        M(Ti, { label: "Cross-fade", quantity: "seconds", value: xt.value, step: 0.5, set: (e) => xt.value = Math.max(0, e(xt.value)) })
+        M(Pi, { label: "Cross-fade", quantity: "seconds", value: xt.value, step: 0.5, set: (e) => xt.value = Math.max(0, e(xt.value)) })
       ] })
     ] }),
-    H("ul", { children: [
-      Ya.all().map(([e, t], n) => H("li", { class: "look", children: [
-        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Ja({ do: "look", id: e, what: "recall", seconds: xt.peek() }), children: [
+    F("ul", { children: [
+      Xa.all().map(([e, t], n) => F("li", { class: "look", children: [
+        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Za({ do: "look", id: e, what: "recall", seconds: xt.peek() }), children: [
           t.picture && M("img", { src: t.picture, alt: "" }),
           M("span", { children: t.name })
         ] }),
-        M(qi, { id: e, name: t.name })
+        M(Ii, { id: e, name: t.name })
       ] }, e)),
-      !Ya.ids.value.length && M("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !Xa.ids.value.length && M("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function qi({ id: e, name: t }) {
+function Ii({ id: e, name: t }) {
   let n = `look-${e}`, a = (i) => {
     let u = i.getBoundingClientRect(), s = document.getElementById(n);
     s?.style.setProperty("left", `${Math.min(u.left, innerWidth - 296)}px`), s?.style.setProperty("bottom", `${innerHeight - u.top + 4}px`), s?.style.setProperty("top", "auto");
   }, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), o = (i, u = {}) => {
-    r(), Ja({ do: "look", id: e, what: i, ...u });
+    r(), Za({ do: "look", id: e, what: i, ...u });
   };
-  return H(Fi, { children: [
+  return F(Ni, { children: [
     M("button", { class: "icon more", ...l, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: M(Ae, { name: "more" }) }),
-    H("div", { id: n, popover: "auto", class: "menu", children: [
-      H("label", { class: "line", children: [
+    F("div", { id: n, popover: "auto", class: "menu", children: [
+      F("label", { class: "line", children: [
         M("span", { children: "Name" }),
         M("span", { class: "field", children: M("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => o("rename", { name: i.currentTarget.value }) }) })
       ] }),
@@ -1908,45 +1907,45 @@ function qi({ id: e, name: t }) {
   ] });
 }
 var Qa = () => sn.value?.stage === "moving" || sn.value?.stage === "refining" || sn.value?.stage === "loading";
-function Ii() {
-  let e = Pi.value;
-  return H("section", { class: "readings", "aria-label": "Meters and grids", children: [
-    H("header", { children: [
+function Ri() {
+  let e = Ei.value;
+  return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
+    F("header", { children: [
       M("h2", { children: "Meters" }),
       M("button", { class: "tab", onClick: () => un.value = "looks", children: "Looks" }),
-      M("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => _a("meter-tool"), children: M(Ae, { name: "meter" }) }),
-      M("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => _a("grid"), children: M(Ae, { name: "grid" }) }),
-      M("button", { onClick: Oa, title: "Save all figures as CSV", children: "CSV" }),
+      M("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => za("meter-tool"), children: M(Ae, { name: "meter" }) }),
+      M("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => za("grid"), children: M(Ae, { name: "grid" }) }),
+      M("button", { onClick: Da, title: "Save all figures as CSV", children: "CSV" }),
       M("span", { class: "gap" }),
       M("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${rn(e, 2)} maintained` })
     ] }),
-    H("ul", { children: [
-      ja.all().map(([t, n]) => {
+    F("ul", { children: [
+      Ya.all().map(([t, n]) => {
         let a = n.lux, l = !a || a[1] > 0.02 * a[0] || Qa();
-        return M("li", { children: H("button", { class: "reading", "aria-pressed": Mt.value?.kind === "meter" && Mt.value.ids.includes(t), onClick: () => Za("meter", t), children: [
-          H("span", { class: "tint", children: [
+        return M("li", { children: F("button", { class: "reading", "aria-pressed": Mt.value?.kind === "meter" && Mt.value.ids.includes(t), onClick: () => ja("meter", t), children: [
+          F("span", { class: "tint", children: [
             M(Ae, { name: "meter" }),
             n.name
           ] }),
           M("strong", { class: l ? "unsettled" : "", children: a ? Ve(a[0] * e) : "…" }),
-          H("small", { children: [
+          F("small", { children: [
             a ? `±${Ve(a[1] * e, !1)}` : "measuring",
             " ",
             n.kind
           ] })
         ] }) }, `m${t}`);
       }),
-      Xa.all().map(([t, n]) => {
+      _a.all().map(([t, n]) => {
         let a = n.target, l = a && n.mean !== null && n.uniformity !== null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
-        return M("li", { children: H("button", { class: "reading", "aria-pressed": Mt.value?.kind === "grid" && Mt.value.ids.includes(t), onClick: () => Za("grid", t), children: [
-          H("span", { class: "tint", children: [
+        return M("li", { children: F("button", { class: "reading", "aria-pressed": Mt.value?.kind === "grid" && Mt.value.ids.includes(t), onClick: () => ja("grid", t), children: [
+          F("span", { class: "tint", children: [
             M(Ae, { name: "grid" }),
             n.name,
             " ",
             a && n.mean !== null && M("b", { class: l ? "met" : "missed", children: l ? "✓" : "✗" })
           ] }),
           M("strong", { class: Qa() ? "unsettled" : "", children: n.mean === null ? "…" : `Ē ${Ve(n.mean * e)}` }),
-          H("small", { children: [
+          F("small", { children: [
             "U₀ ",
             n.uniformity === null ? "…" : rn(n.uniformity, 2),
             " · ",
@@ -1958,32 +1957,32 @@ function Ii() {
           ] })
         ] }) }, `g${t}`);
       }),
-      !ja.ids.value.length && !Xa.ids.value.length && M("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !Ya.ids.value.length && !_a.ids.value.length && M("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Ri() {
-  return H("div", { class: "strip-parts", "data-tab": un.value, children: [
-    M(Ai, {}),
-    M(Ii, {})
+function Fi() {
+  return F("div", { class: "strip-parts", "data-tab": un.value, children: [
+    M(qi, {}),
+    M(Ri, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
   digits as Hi,
-  display as Ni,
-  Field as el,
-  go as Di,
+  display as Di,
+  Field as Ja,
+  go as Oi,
   houseLights as cn,
   Item as ke,
-  Range as Oi,
+  Range as Wi,
   show as pn,
-  theme as tl,
-  walking as Wi
+  theme as el,
+  walking as Gi
 } from "./desk.js";
 import { Fragment as mn, jsx as P, jsxs as me } from "./desk.js";
-function Gi() {
+function Bi() {
   let e = Je();
   return me(mn, { children: [
     ["home", "frame", "inside", "back", "forth", "store-view"].map((t) => P(ke, { id: t }, t)),
@@ -1991,53 +1990,53 @@ function Gi() {
     ["plan", "ceiling", "north", "east", "south", "west"].map((t) => P(ke, { id: `preset-${t}` }, t)),
     P("hr", {}),
     e.length > 0 && P("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    e.map(({ name: t, camera: n }, a) => P("button", { class: "item", onClick: () => Di(n, t), children: P("span", { children: t }) }, a)),
+    e.map(({ name: t, camera: n }, a) => P("button", { class: "item", onClick: () => Oi(n, t), children: P("span", { children: t }) }, a)),
     e.length > 0 && P("hr", {}),
-    P(ke, { id: "walking", label: Wi.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    P(ke, { id: "walking", label: Gi.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
     P(ke, { id: "from-lamp" }),
     ["default", "blender", "maya", "trackpad"].map((t) => P(ke, { id: `hands-${t}` }, t))
   ] });
 }
-var Bi = ["linear", "reinhard", "filmic"];
-function Ki() {
-  let e = Ni.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+var Ki = ["linear", "reinhard", "filmic"];
+function Ui() {
+  let e = Di.value, t = e.white ?? { kelvin: 6500, tint: 0 };
   return me(mn, { children: [
     me("fieldset", { children: [
       P("legend", { children: "Tone curve" }),
-      P("div", { class: "segments", children: Bi.map((n) => P("button", { "aria-pressed": e.tone === n, onClick: () => pn({ tone: n }), children: n }, n)) })
+      P("div", { class: "segments", children: Ki.map((n) => P("button", { "aria-pressed": e.tone === n, onClick: () => pn({ tone: n }), children: n }, n)) })
     ] }),
     me("fieldset", { children: [
       P("legend", { children: "White balance" }),
       me("label", { class: "line", children: [
         P("span", { children: "White" }),
-        P(el, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => pn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+        P(Ja, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => pn({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
       me("label", { class: "line", children: [
         P("span", { children: "Tint" }),
-        P(el, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => pn({ white: { ...t, tint: n(t.tint) } }) })
+        P(Ja, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => pn({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
     P("hr", {}),
     ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => P(ke, { id: n }, n))
   ] });
 }
-function Ui() {
+function zi() {
   return me(mn, { children: [
     me("label", { class: "line", children: [
       P("span", { children: "House lights" }),
-      P(Oi, { label: "House lights", value: cn.value, text: `${Hi(cn.value * 100)} %`, on: (e) => cn.value = Math.max(0.3, e) })
+      P(Wi, { label: "House lights", value: cn.value, text: `${Hi(cn.value * 100)} %`, on: (e) => cn.value = Math.max(0.3, e) })
     ] }),
-    P("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => P("button", { "aria-pressed": tl.value === e, onClick: () => tl.value = e, children: e }, e)) }),
+    P("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => P("button", { "aria-pressed": el.value === e, onClick: () => el.value = e, children: e }, e)) }),
     P("hr", {}),
     ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => P(ke, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as Ct, cut as zi, digits as nl, edit as al, go as _i, Icon as Xe, Range as Xi, setCut as Yi, storeView as ji, viewName as Zi, views as Qi } from "./desk.js";
+import { act as Ct, cut as _i, digits as tl, edit as nl, go as Xi, Icon as Xe, Range as Yi, setCut as ji, storeView as Qi, viewName as Zi, views as Ji } from "./desk.js";
 import { jsx as Y, jsxs as St } from "./desk.js";
-function Ji() {
-  let e = Qi.all();
+function es() {
+  let e = Ji.all();
   return St("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
     Y("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Ct("home"), children: Y(Xe, { name: "home" }) }),
     Y("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Ct("frame"), children: Y(Xe, { name: "frame" }) }),
@@ -2050,13 +2049,13 @@ function Ji() {
         class: "saved-view",
         "aria-pressed": Zi.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click to rename, Delete to remove`,
-        onClick: () => _i(n, n.name ?? "view"),
+        onClick: () => Xi(n, n.name ?? "view"),
         onDblClick: () => {
           let l = prompt("Name of the view", n.name ?? "");
-          l && al(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
+          l && nl(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
         onKeyDown: (l) => {
-          l.key === "Delete" && (l.stopPropagation(), al(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+          l.key === "Delete" && (l.stopPropagation(), nl(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
           Y("small", { children: a + 1 }),
@@ -2066,69 +2065,69 @@ function Ji() {
       },
       t
     )),
-    Y("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: ji, children: Y(Xe, { name: "plus" }) })
+    Y("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Qi, children: Y(Xe, { name: "plus" }) })
   ] });
 }
-function es() {
-  let e = zi.value;
+function ts() {
+  let e = _i.value;
   return e ? St("label", { class: "cut", "data-scroll": !0, children: [
     Y("span", { children: "Cut" }),
     Y(
-      Xi,
+      Yi,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
-        text: `${nl(e.value, 2)} metres`,
-        on: (t) => Yi(t * e.most)
+        text: `${tl(e.value, 2)} metres`,
+        on: (t) => ji(t * e.most)
       }
     ),
     St("output", { children: [
-      nl(e.value, 2),
+      tl(e.value, 2),
       " m"
     ] })
   ] }) : null;
 }
 
 // src/later/walkpad.tsx
-import { padWalk as ts, useRef as ns } from "./desk.js";
-import { jsx as ll } from "./desk.js";
-function as() {
-  let e = ns(null), t = (n) => {
+import { padWalk as ns, useRef as as } from "./desk.js";
+import { jsx as al } from "./desk.js";
+function ls() {
+  let e = as(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let l = n.type === "pointerup" || n.type === "pointercancel";
     if (!l && !a.hasPointerCapture(n.pointerId)) return;
     let r = a.getBoundingClientRect(), o = (s) => Math.max(-1, Math.min(1, s)), i = l ? 0 : o((n.clientX - r.left) / (r.width / 2) - 1), u = l ? 0 : o(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), ts(u, i);
+    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), ns(u, i);
   };
-  return ll("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: ll("span", { ref: e }) });
+  return al("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: al("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  addMeter as ls,
-  aim as os,
-  chosenLamps as ol,
-  closeWhat as rl,
-  digits as rs,
-  hovered as il,
-  Icon as is,
+  addMeter as os,
+  aim as rs,
+  chosenLamps as ll,
+  closeWhat as ol,
+  digits as is,
+  hovered as rl,
+  Icon as ss,
   luxText as de,
-  nameOf as ss,
-  select as us,
-  useEffect as cs,
-  useRef as ps,
-  viewSize as ms,
-  what as ds
+  nameOf as us,
+  select as cs,
+  useEffect as ps,
+  useRef as ms,
+  viewSize as ds,
+  what as hs
 } from "./desk.js";
 import { jsx as G, jsxs as J } from "./desk.js";
-var we = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], hs = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function bs() {
-  let e = ds.value, t = ps(null);
-  if (cs(() => {
+var we = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], bs = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function gs() {
+  let e = hs.value, t = ms(null);
+  if (ps(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = ms.value, l = [...e.lamps].sort((c, g) => we(g) - we(c)), r = l.reduce((c, g) => c + we(g), 0) || 1, o = l.slice(0, 9), i = r - o.reduce((c, g) => c + we(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(l.length, 10))), p = e.lux ? `${de(e.lux[0])} ±${de(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = ds.value, l = [...e.lamps].sort((c, g) => we(g) - we(c)), r = l.reduce((c, g) => c + we(g), 0) || 1, o = l.slice(0, 9), i = r - o.reduce((c, g) => c + we(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(l.length, 10))), p = e.lux ? `${de(e.lux[0])} ±${de(e.lux[1], !1)}` : "Measuring…";
   return J(
     "div",
     {
@@ -2139,31 +2138,31 @@ function bs() {
       ref: t,
       style: { left: `${u}px`, top: `${s}px` },
       onKeyDown: (c) => {
-        c.key === "Escape" && (c.stopPropagation(), rl(), document.getElementById("view")?.focus());
+        c.key === "Escape" && (c.stopPropagation(), ol(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
         J("header", { children: [
           G("strong", { class: e.done ? "" : "unsettled", children: p }),
           G("span", { class: "quiet", children: "what lights this" }),
-          G("button", { class: "icon", "aria-label": "Close", onClick: rl, children: G(is, { name: "close" }) })
+          G("button", { class: "icon", "aria-label": "Close", onClick: ol, children: G(ss, { name: "close" }) })
         ] }),
         J("ol", { children: [
           o.map((c) => G(
             "li",
             {
-              onPointerEnter: () => il.value = { kind: "lamp", id: c.id },
-              onPointerLeave: () => il.value = null,
-              children: J("button", { class: "row", onClick: () => us("lamp", c.id), children: [
-                G("span", { class: "name", children: ss("lamp", c.id) }),
+              onPointerEnter: () => rl.value = { kind: "lamp", id: c.id },
+              onPointerLeave: () => rl.value = null,
+              children: J("button", { class: "row", onClick: () => cs("lamp", c.id), children: [
+                G("span", { class: "name", children: us("lamp", c.id) }),
                 J("span", { class: "figure", children: [
-                  rs(100 * we(c) / r, we(c) / r < 0.0995 ? 1 : 0),
+                  is(100 * we(c) / r, we(c) / r < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
                 J("span", { class: "figure lux", children: [
                   de(we(c)),
                   " ±",
-                  de(hs(c), !1)
+                  de(bs(c), !1)
                 ] }),
                 J("span", { class: "bar", "aria-hidden": "true", children: [
                   G("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
@@ -2197,25 +2196,25 @@ function bs() {
           G("span", { class: "key indirect", children: "indirect" }),
           G("span", { class: "key caustic", children: "caustic" }),
           G("span", { class: "gap" }),
-          ol.value.length > 0 && G("button", { onClick: () => os(ol.peek(), e.hit.point), children: "Aim here" }),
-          G("button", { onClick: () => ls(e.hit.point, e.hit.normal), children: "Meter here" })
+          ll.value.length > 0 && G("button", { onClick: () => rs(ll.peek(), e.hit.point), children: "Aim here" }),
+          G("button", { onClick: () => os(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
     }
   );
 }
 export {
-  eo as Compare,
-  es as CutBar,
-  qo as Gizmo,
+  Jl as Compare,
+  ts as CutBar,
+  Ao as Gizmo,
   Br as Inspector,
   Zr as Legend,
-  Ui as PageItems,
-  Ki as SeeingItems,
-  $i as Sheets,
-  Ri as Strip,
-  Gi as ViewItems,
-  Ji as ViewStrip,
-  as as WalkPad,
-  bs as What
+  zi as PageItems,
+  Ui as SeeingItems,
+  Li as Sheets,
+  Fi as Strip,
+  Bi as ViewItems,
+  es as ViewStrip,
+  ls as WalkPad,
+  gs as What
 };

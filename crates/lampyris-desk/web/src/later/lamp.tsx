@@ -1,7 +1,7 @@
 // The inspector of lamps: light, beam, place, what is done with them.
 
 import {
-    act, chosenLamps, copyAlong, digits, dot, edit, format, groups, handles, Icon, lamps, layers, normal, output, percent, placed,
+    act, chosenLamps, copyAlong, dot, edit, format, groups, handles, Icon, lamps, layers, normal, output, percent, placed,
     positionOf, positions, selection, signal, spot, sub, titleOf, tool, toLevel, toTravel, typeLevel, up, Fade, Field,
     wantLevel, compass, add, scale, length, Range, strokeLevel, useRef,
     type Lamp, type Place, type Strip, type Vec,
@@ -11,6 +11,7 @@ import { changed, common, Line, Name, Section, Triple } from './parts';
 
 const count = signal(1);
 const offset = signal<Vec>([1, 0, 0]);
+const STOPS: [number, string][] = [[-1, '−1'], [-1 / 3, '−⅓'], [1 / 3, '+⅓'], [1, '+1']];
 const DEGREES = 180 / Math.PI;
 
 /** Where a direction points: about the vertical from the plan's upward edge, and down from the level [degrees]. */
@@ -73,12 +74,13 @@ function LightPart({ ids, all }: { ids: number[]; all: Lamp[] }) {
                 value={ids.length === 1 ? all[0].flux * all[0].level : null}
                 set={(apply) => typeLevel(ids, (old, flux) => apply(old * flux) / flux)}
             />
-            <div class="steps" role="group" aria-label="Level by stops">
-                {[-1, -1 / 3, 1 / 3, 1].map((stops) => (
-                    <button key={stops} onClick={() => typeLevel(ids, (old) => Math.min(1000, old * 2 ** stops))}>
-                        {stops < 0 ? '−' : '+'}{Math.abs(stops) === 1 ? '1' : '⅓'} stop
-                    </button>
-                ))}
+            <div class="line">
+                <span>Stops</span>
+                <div class="steps" role="group" aria-label="Level by stops">
+                    {STOPS.map(([by, name]) => (
+                        <button key={name} aria-label={`${name} stop`} onClick={() => typeLevel(ids, (old) => Math.min(1000, old * 2 ** by))}>{name}</button>
+                    ))}
+                </div>
             </div>
             <p class="sum">
                 {format(sum, 'flux')} now
@@ -186,7 +188,7 @@ function PlacePart({ ids, all }: { ids: number[]; all: Lamp[] }) {
                         label="Aims at"
                         quantity="length"
                         step={0.01}
-                        value={aims.length ? [0, 1, 2].map((k) => axis(k, aims)) : [null, null, null]}
+                        value={aims.length ? [0, 1, 2].map((k) => axis(k, aims)) : [NaN, NaN, NaN]}
                         set={(k, apply) => setPlace(ids, 'aim', (p) => {
                             if (!p.direction || !p.position) return null;
                             const aim = changed(p.aim ?? add(p.position, scale(p.direction, 2)), k, apply);
@@ -239,7 +241,6 @@ export function LampInspector() {
             </header>
             <p class="crumbs">
                 {one ? `${one.kind}${group && group.lamps.length > 1 ? ` ▸ ${group.name}` : ''}${layer ? ` ▸ ${layer.name}` : ''}` : `${all.filter((l) => l.on).length} of ${all.length} on`}
-                {one?.layer != null && ` · layer ${digits(one.layer + 1)}`}
             </p>
             <div class="scroll">
                 <Tools ids={ids} all={all} />

@@ -37,6 +37,13 @@ export function Line(props: NumberLine) {
     );
 }
 
+/** Where three stand in a row there is no room for units; a number that is none is a dash. */
+function tripleText(value: number | null, quantity: Quantity): string | undefined {
+    if (value === null) return undefined;
+    if (Number.isNaN(value)) return '–';
+    return quantity === 'length' ? value.toFixed(2) : undefined;
+}
+
 /** Three numbers in a row. */
 export function Triple({ label, names, quantity, value, set, step, disabled }: {
     label: string;
@@ -58,7 +65,7 @@ export function Triple({ label, names, quantity, value, set, step, disabled }: {
                         label={`${label} ${name}`}
                         quantity={quantity}
                         value={value[k]}
-                        text={value[k] === null ? undefined : quantity === 'length' ? (value[k] as number).toFixed(2) : undefined}
+                        text={tripleText(value[k], quantity)}
                         step={step}
                         disabled={disabled}
                         set={(apply) => set(k, apply)}
