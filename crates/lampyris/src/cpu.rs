@@ -2,6 +2,7 @@
 //!
 //! A tile's pixels are summed by one thread in a fixed order, so the picture does not know how many threads there are.
 
+mod begun;
 mod draw;
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
@@ -12,6 +13,7 @@ use crate::integrator::{self, Integrator};
 use crate::particle::Plan;
 use crate::scene::{Edit, Scene};
 use crate::world::{Changes, World};
+use begun::Begun;
 use draw::Plane;
 
 /// All cores of this machine, or as many threads as one likes.
@@ -19,6 +21,9 @@ pub struct Cpu {
     pool: rayon::ThreadPool,
     job: Option<Job>,
 }
+
+/// Says whether a batch is still wanted.
+pub type GoOn<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// What `begin` was given.
 struct Job {
@@ -32,6 +37,8 @@ struct Job {
     /// Of each integrator, which of them the light of first eye paths is drawn into, and which that of second ones.
     planes_of: Vec<[usize; 2]>,
     frame: Frame,
+    /// Batches that were given up.
+    begun: Vec<Begun>,
     statistics: Statistics,
 }
 
@@ -70,6 +77,7 @@ impl Cpu {
             frame: Frame::new(width, height, if apart { &names } else { &[] }, &settings, world.groups()),
             planes,
             planes_of,
+            begun: Vec::new(),
             statistics: Statistics::default(),
             settings,
             world,
@@ -107,10 +115,40 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn show(&mut self, batch: Batch) -> Result<()> {
+        self.render(batch, false, &|| true).map(drop)
+    }
+
+    /// [`Cpu::show`] as long as `go_on` says; see [`Cpu::add_while`].
+    ///
+    /// # Errors
+    /// As [`Cpu::show`].
+    pub fn show_while(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        self.render(batch, false, go_on)
+    }
+
+    /// [`Backend::add`] as long as `go_on` says, which threads ask before every tile; false if the batch was given up. Then
+    /// the first rows of its layers have it, each in its weight, and no count and no error knows of it: to add the same
+    /// batch again completes it. Light groups that an edit changes meanwhile begin anew, the others go on where they were,
+    /// and if another batch is added to them instead they begin anew as well.
+    ///
+    /// # Errors
+    /// As [`Backend::add`].
+    pub fn add_while(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        self.render(batch, true, go_on)
+    }
+
+    fn render(&mut self, batch: Batch, kept: bool, go_on: GoOn<'_>) -> Result<bool> {
         let Cpu { pool, job } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch, false));
-        Ok(())
+        Ok(pool.install(|| job.add(batch, kept, go_on)))
+    }
+
+    /// Light groups that have part of a batch, beside `batches` or more of them, begin anew.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn forget_begun(&mut self, batches: u32) -> Result<()> {
+        self.job().map(|job| job.forget_begun(batches))
     }
 
     /// The world in use, once `begin` was called.
@@ -165,10 +203,7 @@ impl Backend for Cpu {
     }
 
     fn add(&mut self, batch: Batch) -> Result<()> {
-        let Cpu { pool, job } = self;
-        let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch, true));
-        Ok(())
+        self.render(batch, true, &|| true).map(drop)
     }
 
     fn frame(&mut self) -> Result<&Frame> {

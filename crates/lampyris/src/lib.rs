@@ -244,9 +244,12 @@ pub struct Readme;
 #[doc = include_str!("../../../CONTRIBUTING.md")]
 pub struct Contributing;
 
+mod atomic;
 pub mod backend;
+pub mod chromaticity;
 pub mod color;
 pub mod cpu;
+pub mod document;
 pub mod error;
 pub mod eye;
 pub mod filter;

@@ -7,7 +7,7 @@
 //! colours of groups start nothing ([`Edit::Mix`]).
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
-use crate::cpu::Cpu;
+use crate::cpu::{Cpu, GoOn};
 use crate::error::{Error, Result};
 use crate::eye::Eye;
 use crate::frame::Frame;
@@ -41,9 +41,19 @@ impl Session {
         settings: &Settings,
         threads: Option<usize>,
     ) -> Result<Session> {
-        let eye = eye(scene.view.as_ref(), size)?;
-        let mut cpu = Cpu::new(threads)?;
-        cpu.begin(scene, eye, settings)?;
+        eye(scene.view.as_ref(), size)?;
+        let cpu = Cpu::new(threads)?;
+        let world = cpu.install(|| World::new(scene));
+        Session::begin(cpu, world, size, settings)
+    }
+
+    /// [`Session::open`] of a world that was built, on a back end that is at hand.
+    ///
+    /// # Errors
+    /// As [`Session::open`].
+    pub fn begin(mut cpu: Cpu, world: World, size: [u32; 2], settings: &Settings) -> Result<Session> {
+        let eye = eye(world.scene().view.as_ref(), size)?;
+        cpu.begin_world(world, eye, settings)?;
         Ok(Session {
             cpu,
             size,
@@ -129,20 +139,36 @@ impl Session {
     /// # Errors
     /// Those of the back end.
     pub fn step(&mut self) -> Result<()> {
+        self.step_while(&|| true).map(drop)
+    }
+
+    /// [`Session::step`] as long as `go_on` says, which threads ask before every tile; false if the batch was given up. What
+    /// was done of it is not lost: the next steps complete it, for all light groups that are not begun anew meanwhile, and
+    /// the picture has the bits that it would have had. Until then the first rows of those groups have the batch, and no
+    /// count and no error knows of it.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn step_while(&mut self, go_on: GoOn<'_>) -> Result<bool> {
         let (index, turn) = (self.frame()?.batches(), self.turn);
-        self.turn = (turn + 1) % self.settings.window;
-        if index == 0 && turn > 0 {
-            return self.cpu.show(Batch { index: turn });
+        let done = if index == 0 && turn > 0 {
+            self.cpu.show_while(Batch { index: turn }, go_on)?
+        } else {
+            self.cpu.add_while(Batch { index }, go_on)?
+        };
+        if done {
+            self.turn = (turn + 1) % self.settings.window;
         }
-        self.cpu.add(Batch { index })
+        Ok(done)
     }
 
     /// Adds batches until all light groups have `batches` of them. The picture is then that of so many batches, and nothing
-    /// stands in for any of them, whatever was done before.
+    /// stands in for any of them, whatever was done before. Groups that have as many and part of another begin anew.
     ///
     /// # Errors
     /// As [`Session::step`].
     pub fn settle(&mut self, batches: u32) -> Result<()> {
+        self.cpu.forget_begun(batches)?;
         while self.frame()?.batches() < batches {
             self.turn = 0;
             self.step()?;
@@ -160,6 +186,22 @@ impl Session {
         self.turn = 0;
         let eye = eye(self.scene()?.view.as_ref(), self.size)?;
         self.cpu.restart(eye, &self.settings)
+    }
+
+    /// Starts the picture again in another size [pixels].
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        let eye = eye(self.scene()?.view.as_ref(), size)?;
+        (self.size, self.turn) = (size, 0);
+        self.cpu.restart(eye, &self.settings)
+    }
+
+    /// Forgets what was done, but not what came of it: nothing can be undone, and the log begins here. For those who keep
+    /// their own.
+    pub fn forget(&mut self) {
+        (self.log, self.undo, self.redo) = Default::default();
     }
 
     /// What was done since the picture was started last.
