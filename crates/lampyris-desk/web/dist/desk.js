@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var C, Or, Vo, We, $o, En, Nr, Mn, Fr, Lo, Po, ns, Bt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, $n = [], os = /^m(i|n|o|s|text|space)$/, Io = Array.isArray, Ao = $n.slice, nt = Object.assign;
-function tt(e) {
+var C, Br, Vo, We, Po, Vn, zr, Pn, Gr, Io, Lo, as, Gt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ao = Array.isArray, Ro = An.slice, ot = Object.assign;
+function nt(e) {
   e && e.parentNode && e.remove();
 }
-function jr(e, t, n) {
+function Xr(e, t, n) {
   var o, r, i, a = {}, l = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return l > 2 && (a.children = l > 3 ? Ao.call(arguments, 2) : n), Wt(e, a, o, r, null);
+  return l > 2 && (a.children = l > 3 ? Ro.call(arguments, 2) : n), zt(e, a, o, r, null);
 }
-function Wt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++Or, __i: -1, __u: 0 };
+function zt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Gt, __v: r || ++Br, __i: -1, __u: 0 };
   return !r && C.vnode && C.vnode(i), i;
 }
 function X(e) {
@@ -23,33 +23,33 @@ function Be(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Be(e);
 }
-function rs(e) {
+function ls(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = nt({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ro(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, Gr(r, t, i), n.__ = n.__e = null, t.__e != o && qr(t));
+  a && ((t = ot({ constructor: Gt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ho(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ti(r, t, i), n.__ = n.__e = null, t.__e != o && Yr(t));
 }
-function qr(e) {
+function Yr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), qr(e);
+  }), Yr(e);
 }
-function Dr(e) {
-  (8 & e.__g || (e.__g |= 8, We.push(e), En++)) && $o == C.debounceRendering || (($o = C.debounceRendering) || queueMicrotask)(Ur);
+function Ur(e) {
+  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Po == C.debounceRendering || ((Po = C.debounceRendering) || queueMicrotask)(Qr);
 }
-function Ur() {
+function Qr() {
   try {
-    for (var e, t = 1; We.length; ) We.length > t && We.sort(Nr), e = We.shift(), t = We.length, 8 & e.__g && rs(e);
+    for (var e, t = 1; We.length; ) We.length > t && We.sort(zr), e = We.shift(), t = We.length, 8 & e.__g && ls(e);
   } finally {
-    (En = We.length) && ($o || queueMicrotask)(Ur);
+    (Vn = We.length) && (Po || queueMicrotask)(Qr);
   }
 }
-function Wr(e, t, n, o, r, i, a, l, d, u, c) {
-  var p, m, f, _, k, S, y = o.__k || $n, b = t.length;
-  for (d = is(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || Tn, f.__i = p, S = Ro(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Ho(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = Br(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
+function Jr(e, t, n, o, r, i, a, l, d, u, c) {
+  var p, m, f, _, k, S, y = o.__k || An, b = t.length;
+  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Ho(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Oo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = Zr(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
   return n.__e = k, d;
 }
-function is(e, t, n, o, r) {
+function us(e, t, n, o, r) {
   var i, a, l, d, u, c, p, m, f, _ = n.length, k = _, S = 0, y = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Wt(null, a) : Io(a) ? a = b[i] = Wt(X, { children: a }) : a.constructor === Bt && a.__b ? a = b[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = as(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = zt(null, a) : Ao(a) ? a = b[i] = zt(X, { children: a }) : a.constructor === Gt && a.__b ? a = b[i] = zt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
   if (y) {
     for (c = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
       for (S = 0, m = c.length; S < m; ) c[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
@@ -57,21 +57,21 @@ function is(e, t, n, o, r) {
     }
     for (S = c.length; i--; ) p[i] && (p[i] == S ? S-- : b[i].__u |= 4);
   }
-  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Do(l, l));
+  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Ko(l, l));
   return o;
 }
-function Br(e, t, n, o) {
+function Zr(e, t, n, o) {
   var r, i, a, l;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Br(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Zr(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Be(e)) && !t.parentNode && (t = null), a = e.__e, l = t; l && l.nodeType == 8; ) l = l.nextSibling;
   for (a != l && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function as(e, t, n, o) {
+function cs(e, t, n, o) {
   var r, i = e.key, a = e.type, l = t[n], d = l && !(2 & l.__u);
   if (l === null && i == null || d && i == l.key && a == l.type) return n;
   if (o > (d ? 1 : 0)) {
@@ -80,17 +80,17 @@ function as(e, t, n, o) {
   }
   return -1;
 }
-function Kr(e, t, n) {
+function Wr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
-function Sn(e, t, n, o, r) {
+function $n(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Kr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Kr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Wr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Wr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Po[t] || (Po[t] = ss(t)), (e.__a || (e.__a = {}))[t] = Lo, i = t != (t = t.replace(Fr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Lo[t] || (Lo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Io, i = t != (t = t.replace(Gr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,65 +101,65 @@ function Sn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ss(e) {
+function fs(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[Mn] == null) t[Mn] = Lo++;
-      else if (t[Mn] < this.__a[e]) return;
+      if (n = n[e], t[Pn] == null) t[Pn] = Io++;
+      else if (t[Pn] < this.__a[e]) return;
       return n(C.event ? C.event(t) : t);
     }
   };
 }
-function Ro(e, t, n, o, r, i, a, l, d, u) {
-  var c, p, m, f, _, k, S, y, b, R, L, qe, Ue, ke, ve, h, v, $, P = t.type;
-  if (t.constructor !== Bt) return null;
-  128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Cn(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
+function Ho(e, t, n, o, r, i, a, l, d, u) {
+  var c, p, m, f, _, k, S, y, b, R, V, je, Ue, xe, ve, h, v, $, P = t.type;
+  if (t.constructor !== Gt) return null;
+  128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Ln(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
   e: if (typeof P == "function") {
     m = a.length;
     try {
-      if (y = t.props, b = (c = P.prototype) && c.render, R = (c = P.contextType) && o[c.__c], L = c ? R ? R.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(y, L) : (t.__c = f = new wt(y, L), f.constructor = P, f.render = us), R && R.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = nt({}, f.__s)), nt(f.__s, P.getDerivedStateFromProps(y, f.__s)))), _ = f.props, k = f.state, f.__v = t, n.__c) {
-        if (y !== _ && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(y, L), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(y, f.__s, L) === !1) {
-          t.__v != n.__v && (f.props = y, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
-            V && (V.__ = t);
-          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), l = Be(n);
+      if (y = t.props, b = (c = P.prototype) && c.render, R = (c = P.contextType) && o[c.__c], V = c ? R ? R.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(y, V) : (t.__c = f = new wt(y, V), f.constructor = P, f.render = ds), R && R.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = ot({}, f.__s)), ot(f.__s, P.getDerivedStateFromProps(y, f.__s)))), _ = f.props, k = f.state, f.__v = t, n.__c) {
+        if (y !== _ && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(y, V), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(y, f.__s, V) === !1) {
+          t.__v != n.__v && (f.props = y, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(L) {
+            L && (L.__ = t);
+          }), An.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), l = Be(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(y, f.__s, L), b && f.componentDidUpdate && f.__h.push(function() {
+        f.componentWillUpdate && f.componentWillUpdate(y, f.__s, V), b && f.componentDidUpdate && f.__h.push(function() {
           f.componentDidUpdate(_, k, S);
         });
       } else b && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), b && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = L, f.props = y, f.__P = e, f.__g &= -5, qe = C.__r, Ue = b ? 25 : 0;
+      f.context = V, f.props = y, f.__P = e, f.__g &= -5, je = C.__r, Ue = b ? 25 : 0;
       do
-        f.__g &= -9, qe && qe(t), c = f.render(f.props, f.state = f.__s, f.context);
+        f.__g &= -9, je && je(t), c = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Ue < 25);
-      b && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = nt({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), ke = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
-        V && Do(V, V);
-      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Wr(e, Io(ke) ? ke : [ke], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(tt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch (V) {
-      if (a.length = m, t.__v = null, d || i) if (V && V.then) {
+      b && (An.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = ot({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), xe = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
+        L && Ko(L, L);
+      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Jr(e, Ao(xe) ? xe : [xe], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch (L) {
+      if (a.length = m, t.__v = null, d || i) if (L && L.then) {
         if (t.__u |= 128 | d, i) {
           for (~(v = i.indexOf(l || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
           for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
             if ($ == h) break;
           } else {
             if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = Cn(ve = $));
+            $.data.startsWith("$s") && (h = Ln(ve = $));
           }
         }
         if (!ve) {
           for (; l && l.nodeType == 8 && l.nextSibling; ) l = l.nextSibling;
           ve = l;
         }
-        (c = Cn(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, l = c) : t.__e = l, l = l && l.nextSibling;
-      } else i && i.some(tt);
+        (c = Ln(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, l = c) : t.__e = l, l = l && l.nextSibling;
+      } else i && i.some(nt);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || zr(t), C.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), L && L.then || ei(t), C.__e(L, t, n);
     }
-  } else l = t.__e = ls(n.__e, t, n, o, r, i, a, d, u, e);
+  } else l = t.__e = ps(n.__e, t, n, o, r, i, a, d, u, e);
   return (c = C.diffed) && c(t), l;
 }
-function Cn(e, t) {
+function Ln(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
     if (e.nodeType == 8) {
       if (e.data.startsWith("$s")) n++;
@@ -168,11 +168,11 @@ function Cn(e, t) {
     t && t.push(e);
   }
 }
-function zr(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(zr));
+function ei(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ei));
 }
-function Gr(e, t, n) {
-  for (var o = 0; o < n.length; ) Ho(n[o++], n[o++], n[o++]);
+function ti(e, t, n) {
+  for (var o = 0; o < n.length; ) Oo(n[o++], n[o++], n[o++]);
   C.__c && C.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
@@ -183,36 +183,36 @@ function Gr(e, t, n) {
     }
   });
 }
-function ls(e, t, n, o, r, i, a, l, d, u) {
-  var c, p, m, f, _, k, S, y, b = n.props || Tn, R = t.props, L = t.type;
-  if (L == "svg" ? r = "http://www.w3.org/2000/svg" : L == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (c = 0; c < i.length; c++) if ((_ = i[c]) && (L ? _.localName == L : _.nodeType == 3)) {
+function ps(e, t, n, o, r, i, a, l, d, u) {
+  var c, p, m, f, _, k, S, y, b = n.props || In, R = t.props, V = t.type;
+  if (V == "svg" ? r = "http://www.w3.org/2000/svg" : V == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (c = 0; c < i.length; c++) if ((_ = i[c]) && (V ? _.localName == V : _.nodeType == 3)) {
       e = _, i[c] = null;
       break;
     }
   }
   if (!e) {
-    if (y = u.ownerDocument || document, !L) return y.createTextNode(R);
-    e = y.createElementNS(r, L, R.is ? R : u), l && (C.__m && C.__m(t, i), l = !1), i = null;
+    if (y = u.ownerDocument || document, !V) return y.createTextNode(R);
+    e = y.createElementNS(r, V, R.is ? R : u), l && (C.__m && C.__m(t, i), l = !1), i = null;
   }
-  if (L) {
-    if (u = L == "template" && e.content || e, i = L == "textarea" && R.defaultValue != null ? null : i && Ao.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
-    for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || Sn(e, c, null, _, r);
-    for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || Sn(e, c, _, b[c], r);
-    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (L == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && os.test(L)) && (r = "http://www.w3.org/1999/xhtml"), Wr(u, Io(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(tt)), l && L != "textarea" || (c = "value", L == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (L != "progress" || k) || Sn(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && Sn(e, c, S, b[c], r));
+  if (V) {
+    if (u = V == "template" && e.content || e, i = V == "textarea" && R.defaultValue != null ? null : i && Ro.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
+    for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || $n(e, c, null, _, r);
+    for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || $n(e, c, _, b[c], r);
+    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Jr(u, Ao(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
   } else b === R || l && e.data == R || (e.data = R);
   return e;
 }
-function Ho(e, t, n, o) {
+function Oo(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
     C.__e(r, n);
   }
 }
-function Do(e, t, n) {
+function Ko(e, t, n) {
   var o, r, i, a;
-  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Ho(o, null, t, e), o = e.__c) {
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Oo(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (l) {
@@ -220,15 +220,15 @@ function Do(e, t, n) {
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Do(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = Cn(o, i = [])) && (o == e.__e && i.some(tt), tt(r), tt(o)), n || tt(e.__e), e.__e = e.__c = e.__ = null;
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Ko(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = Ln(o, i = [])) && (o == e.__e && i.some(nt), nt(r), nt(o)), n || nt(e.__e), e.__e = e.__c = e.__ = null;
 }
-function us(e, t, n) {
+function ds(e, t, n) {
   return this.constructor(e, n);
 }
-function Xr(e, t) {
+function ni(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(X, { children: [e] }), r = [], i = [], Ro(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Ao.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), Gr(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = zt(X, { children: [e] }), r = [], i = [], Ho(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ro.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ti(r, t.__k, i), t.__k.props.children = null;
 }
 C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -239,86 +239,86 @@ C = { __e: function(e, t, n, o) {
       e = l;
     }
   }
-  throw En = 0, e;
-} }, Or = 0, Vo = function(e) {
-  return e != null && e.constructor === Bt;
+  throw Vn = 0, e;
+} }, Br = 0, Vo = function(e) {
+  return e != null && e.constructor === Gt;
 }, wt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = nt({}, this.state)), typeof e == "function" && (e = e(nt({}, n), this.props)), e && (nt(n, e), this.__v && (t && this.__k.push(t), Dr(this)));
+  n && n != this.state || (n = this.__s = ot({}, this.state)), typeof e == "function" && (e = e(ot({}, n), this.props)), e && (ot(n, e), this.__v && (t && this.__k.push(t), Ur(this)));
 }, wt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Dr(this));
-}, wt.prototype.render = X, We = [], En = 0, Nr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Ur(this));
+}, wt.prototype.render = X, We = [], Vn = 0, zr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Mn = /* @__PURE__ */ Symbol(), Fr = /(PointerCapture)$|Capture$/i, Lo = 0, Po = {}, ns = 0;
+}, Pn = /* @__PURE__ */ Symbol(), Gr = /(PointerCapture)$|Capture$/i, Io = 0, Lo = {}, as = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Pn, ue, Ko, Yr, cs = Object.is, Oo = 0, ii = [], No = [], z = C, Qr = z.__b, Jr = z.__r, Zr = z.diffed, ei = z.__c, ti = z.unmount, ni = z.__;
-function ai(e, t) {
-  z.__h && z.__h(ue, e, Oo || t), Oo = 0;
+var Rn, ue, Do, oi, ms = Object.is, No = 0, pi = [], Fo = [], z = C, ri = z.__b, ii = z.__r, ai = z.diffed, si = z.__c, li = z.unmount, ui = z.__;
+function di(e, t) {
+  z.__h && z.__h(ue, e, No || t), No = 0;
   var n = ue.__H || (ue.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function Ce(e, t) {
-  var n = ai(Pn++, 3);
-  !z.__s && si(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
+function Ee(e, t) {
+  var n = di(Rn++, 3);
+  !z.__s && mi(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
 }
 function oe(e) {
-  return Oo = 5, Vn(function() {
+  return No = 5, Hn(function() {
     return { current: e };
   }, []);
 }
-function Vn(e, t) {
-  var n = ai(Pn++, 7);
-  return si(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+function Hn(e, t) {
+  var n = di(Rn++, 7);
+  return mi(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function fs() {
+function hs() {
   var e;
   do {
-    for (; e = No.shift(); ) try {
-      zt(e);
+    for (; e = Fo.shift(); ) try {
+      Xt(e);
     } catch (n) {
       z.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = ii.shift(); ) {
+    for (; e = pi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(zt), t.__h.some(Fo), t.__h = [];
+        t.__h.some(Xt), t.__h.some(qo), t.__h = [];
       } catch (n) {
         t.__h = [], z.__e(n, e.__v);
       }
     }
-  } while (No.length);
+  } while (Fo.length);
 }
 z.__b = function(e) {
-  ue = null, Qr && Qr(e);
+  ue = null, ri && ri(e);
 }, z.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ni && ni(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ui && ui(e, t);
 }, z.__r = function(e) {
-  Jr && Jr(e), Pn = 0;
+  ii && ii(e), Rn = 0;
   var t = (ue = e.__c).__H;
-  t && (Ko == ue ? ue.__h = [] : (t.__h.some(zt), t.__h.some(Fo), Pn = 0), t.__h = [], t.__.some(function(n) {
+  t && (Do == ue ? ue.__h = [] : (t.__h.some(Xt), t.__h.some(qo), Rn = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Ko = ue;
+  })), Do = ue;
 }, z.diffed = function(e) {
-  Zr && Zr(e);
+  ai && ai(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && ri(ii.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && fi(pi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Ko = ue = null;
+  })), Do = ue = null;
 }, z.__c = function(e, t) {
   t.some(function(n) {
     try {
-      n.__h.some(zt), n.__h = n.__h.filter(function(o) {
-        return !o.__ || Fo(o);
+      n.__h.some(Xt), n.__h = n.__h.filter(function(o) {
+        return !o.__ || qo(o);
       });
     } catch (o) {
       n.__h = [function() {
         throw o;
       }];
     }
-  }), ei && ei(e, t);
+  }), si && si(e, t);
 }, z.unmount = function(e) {
-  ti && ti(e);
+  li && li(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -327,56 +327,56 @@ z.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, ri(No.push(r));
-      } else zt(r);
+        r.__P = n, fi(Fo.push(r));
+      } else Xt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && z.__e(t, o.__v));
 };
-var oi = typeof requestAnimationFrame == "function";
-function ps(e) {
+var ci = typeof requestAnimationFrame == "function";
+function vs(e) {
   var t, n = function() {
-    clearTimeout(o), oi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), ci && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  oi && (t = requestAnimationFrame(n));
+  ci && (t = requestAnimationFrame(n));
 }
-function ri(e) {
-  e != 1 && Yr == z.requestAnimationFrame || ((Yr = z.requestAnimationFrame) || ps)(fs);
+function fi(e) {
+  e != 1 && oi == z.requestAnimationFrame || ((oi = z.requestAnimationFrame) || vs)(hs);
 }
-function zt(e) {
+function Xt(e) {
   var t = ue, n = e.__c;
   typeof n == "function" && (e.__c = void 0, n()), ue = t;
 }
-function Fo(e) {
+function qo(e) {
   var t = ue;
   e.__c = e.__(), ue = t;
 }
-function si(e, t) {
+function mi(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !cs(n, e[o]);
+    return !ms(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ds = /* @__PURE__ */ Symbol.for("preact-signals");
-function Rn() {
-  if (Re > 1)
-    Re--;
+var gs = /* @__PURE__ */ Symbol.for("preact-signals");
+function Nn() {
+  if (Oe > 1)
+    Oe--;
   else {
     var e, t = !1;
     for ((function() {
-      var r = In;
-      for (In = void 0; r !== void 0; ) {
+      var r = Kn;
+      for (Kn = void 0; r !== void 0; ) {
         var i = r.S;
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
-    })(); Xt !== void 0; ) {
-      var n = Xt;
-      for (Xt = void 0, Ln++; n !== void 0; ) {
+    })(); Qt !== void 0; ) {
+      var n = Qt;
+      for (Qt = void 0, On++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && ui(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && vi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -384,42 +384,42 @@ function Rn() {
         n = o;
       }
     }
-    if (Ln = 0, Re--, t) throw e;
+    if (On = 0, Oe--, t) throw e;
   }
 }
-function Hn(e) {
-  if (Re > 0) return e();
-  jo = ++ms, Re++;
+function Fn(e) {
+  if (Oe > 0) return e();
+  jo = ++bs, Oe++;
   try {
     return e();
   } finally {
-    Rn();
+    Nn();
   }
 }
-var Gt, O = void 0;
+var Yt, D = void 0;
 function se(e) {
-  var t = O, n = Gt;
-  O = void 0, Gt = void 0;
+  var t = D, n = Yt;
+  D = void 0, Yt = void 0;
   try {
     return e();
   } finally {
-    O = t, Gt = n;
+    D = t, Yt = n;
   }
 }
-var Xt = void 0, Re = 0, Ln = 0, ms = 0, jo = 0, In = void 0, An = 0;
-function li(e) {
-  if (O !== void 0) {
+var Qt = void 0, Oe = 0, On = 0, bs = 0, jo = 0, Kn = void 0, Dn = 0;
+function hi(e) {
+  if (D !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== O)
-      return t = { i: 0, S: e, p: O.s, n: void 0, t: O, e: void 0, x: void 0, r: t }, O.s !== void 0 && (O.s.n = t), O.s = t, e.n = t, 32 & O.f && e.S(t), t;
+    if (t === void 0 || t.t !== D)
+      return t = { i: 0, S: e, p: D.s, n: void 0, t: D, e: void 0, x: void 0, r: t }, D.s !== void 0 && (D.s.n = t), D.s = t, e.n = t, 32 & D.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = O.s, t.n = void 0, O.s.n = t, O.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = D.s, t.n = void 0, D.s.n = t, D.s = t), t;
   }
 }
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ds;
+Y.prototype.brand = gs;
 Y.prototype.h = function() {
   return !0;
 };
@@ -465,29 +465,29 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = li(this);
+  var e = hi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
-    if (Ln > 100) throw new Error("Cycle detected");
+    if (On > 100) throw new Error("Cycle detected");
     (function(n) {
-      Re !== 0 && Ln === 0 && n.l !== jo && (n.l = jo, In = { S: n, v: n.v, i: n.i, o: In });
-    })(this), this.v = e, this.i++, An++, Re++;
+      Oe !== 0 && On === 0 && n.l !== jo && (n.l = jo, Kn = { S: n, v: n.v, i: n.i, o: Kn });
+    })(this), this.v = e, this.i++, Dn++, Oe++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
-      Rn();
+      Nn();
     }
   }
 } });
 function g(e, t) {
   return new Y(e, t);
 }
-function ui(e) {
+function vi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function ci(e) {
+function gi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -496,90 +496,90 @@ function ci(e) {
     }
   }
 }
-function fi(e) {
+function bi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
   }
   e.s = n;
 }
-function ot(e, t) {
-  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = An - 1, this.f = 4;
+function rt(e, t) {
+  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = Dn - 1, this.f = 4;
 }
-ot.prototype = new Y();
-ot.prototype.h = function() {
+rt.prototype = new Y();
+rt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
-  if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !ui(this))
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === Dn)) return !0;
+  if (this.g = Dn, this.f |= 1, this.i > 0 && !vi(this))
     return this.f &= -2, !0;
-  var e = O;
+  var e = D;
   try {
-    ci(this), O = this;
+    gi(this), D = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, fi(this), this.f &= -2, !0;
+  return D = e, bi(this), this.f &= -2, !0;
 };
-ot.prototype.S = function(e) {
+rt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
   Y.prototype.S.call(this, e);
 };
-ot.prototype.U = function(e) {
+rt.prototype.U = function(e) {
   if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
 };
-ot.prototype.N = function() {
+rt.prototype.N = function() {
   if (!(2 & this.f)) {
     this.f |= 6;
     for (var e = this.t; e !== void 0; e = e.x) e.t.N();
   }
 };
-Object.defineProperty(ot.prototype, "value", { get: function() {
+Object.defineProperty(rt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = li(this);
+  var e = hi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function G(e, t) {
-  return new ot(e, t);
+  return new rt(e, t);
 }
-function pi(e) {
+function _i(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Re++;
-    var n = O;
-    O = void 0;
+    Oe++;
+    var n = D;
+    D = void 0;
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, qo(e), o;
+      throw e.f &= -2, e.f |= 8, Uo(e), o;
     } finally {
-      O = n, Rn();
+      D = n, Nn();
     }
   }
 }
-function qo(e) {
+function Uo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, pi(e);
+  e.x = void 0, e.s = void 0, _i(e);
 }
-function hs(e) {
-  if (O !== this) throw new Error("Out-of-order effect");
-  fi(this), O = e, this.f &= -2;
+function _s(e) {
+  if (D !== this) throw new Error("Out-of-order effect");
+  bi(this), D = e, this.f &= -2;
   try {
-    8 & this.f && qo(this);
+    8 & this.f && Uo(this);
   } finally {
-    Rn();
+    Nn();
   }
 }
 function kt(e, t) {
-  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Gt && Gt.push(this);
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Yt && Yt.push(this);
 }
 kt.prototype.c = function() {
   var e = this.S();
@@ -593,15 +593,15 @@ kt.prototype.c = function() {
 };
 kt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, pi(this), ci(this), Re++;
-  var e = O;
-  return O = this, hs.bind(this, e);
+  this.f |= 1, this.f &= -9, _i(this), gi(this), Oe++;
+  var e = D;
+  return D = this, _s.bind(this, e);
 };
 kt.prototype.N = function() {
-  2 & this.f || (this.f |= 2, this.u = Xt, Xt = this);
+  2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
 };
 kt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || qo(this);
+  this.f |= 8, 1 & this.f || Uo(this);
 };
 kt.prototype.dispose = function() {
   this.d();
@@ -618,25 +618,25 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Uo, Qt, Dn, vs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, di = [], mi = [];
+var Wo, Zt, qn, ys = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, yi = [], wi = [];
 T(function() {
-  Uo = this.N;
+  Wo = this.N;
 })();
 function xt(e, t) {
   C[e] = t.bind(null, C[e] || function() {
   });
 }
-function Yt(e) {
-  if (Dn) {
-    var t = Dn;
-    Dn = void 0, t();
+function Jt(e) {
+  if (qn) {
+    var t = qn;
+    qn = void 0, t();
   }
-  Dn = e && e.S();
+  qn = e && e.S();
 }
-function hi(e) {
-  var t = this, n = e.data, o = rt(n);
+function ki(e) {
+  var t = this, n = e.data, o = it(n);
   o.name = "ReactiveDom", o.value = n;
-  var r = Vn(function() {
+  var r = Hn(function() {
     for (var l = t, d = t.__v; d = d.__; ) if (d.__c) {
       d.__c.__$f |= 4;
       break;
@@ -647,7 +647,7 @@ function hi(e) {
     }), c = G(function() {
       return !Array.isArray(u.value) && !Vo(u.value);
     }), p = T(function() {
-      if (this.N = vi, c.value) {
+      if (this.N = xi, c.value) {
         var f = u.value;
         l.__v && l.__v.__e && l.__v.__e.nodeType === 3 && (l.__v.__e.data = f);
       }
@@ -658,15 +658,15 @@ function hi(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-hi.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: jr(X, null).constructor }, type: { configurable: !0, value: hi }, props: { configurable: !0, get: function() {
+ki.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Xr(X, null).constructor }, type: { configurable: !0, value: ki }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
   } } };
 } }, __b: { configurable: !0, value: 1 } });
 xt("__b", function(e, t) {
-  if (Yt(), Qt = void 0, typeof t.type == "string") {
+  if (Jt(), Zt = void 0, typeof t.type == "string") {
     var n, o = t.props;
     for (var r in o) if (r !== "children") {
       var i = o[r];
@@ -677,7 +677,7 @@ xt("__b", function(e, t) {
 });
 xt("__r", function(e, t) {
   if (e(t), t.type !== X) {
-    Yt();
+    Jt();
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
@@ -687,16 +687,16 @@ xt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        vs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        ys && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
-    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Qt = o, Yt(n);
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
 });
 xt("__e", function(e, t, n, o) {
-  Yt(), Qt = void 0, e(t, n, o);
+  Jt(), Zt = void 0, e(t, n, o);
 });
 xt("diffed", function(e, t) {
-  Yt(), Qt = void 0;
+  Jt(), Zt = void 0;
   var n;
   if (typeof t.type == "string" && (n = t.__e)) {
     var o = t.__np, r = t.props, i = n.U;
@@ -708,18 +708,18 @@ xt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var d in o) {
         var u = i[d], c = o[d];
-        u === void 0 ? (u = gs(n, d, c, r), i[d] = u) : u.o(c, r);
+        u === void 0 ? (u = ws(n, d, c, r), i[d] = u) : u.o(c, r);
       }
     }
   }
   e(t);
 });
-function gs(e, t, n, o) {
+function ws(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, l) {
     i.value = a, o = l;
   }, d: T(function() {
-    this.N = vi;
+    this.N = xi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -768,56 +768,56 @@ wt.prototype.shouldComponentUpdate = function(e, t) {
   for (var l in this.props) if (!(l in e)) return !0;
   return !1;
 };
-function rt(e, t) {
-  return Vn(function() {
+function it(e, t) {
+  return Hn(function() {
     return g(e, t);
   }, []);
 }
-var bs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var ks = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, _s = function(e) {
+}, xs = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function ys() {
-  Hn(function() {
-    for (var e; e = di.shift(); ) Uo.call(e);
+function Ss() {
+  Fn(function() {
+    for (var e; e = yi.shift(); ) Wo.call(e);
   });
 }
-function ws() {
-  di.push(this) === 1 && (C.requestAnimationFrame || bs)(ys);
+function Ms() {
+  yi.push(this) === 1 && (C.requestAnimationFrame || ks)(Ss);
 }
-function ks() {
-  Hn(function() {
-    for (var e; e = mi.shift(); ) Uo.call(e);
+function Cs() {
+  Fn(function() {
+    for (var e; e = wi.shift(); ) Wo.call(e);
   });
 }
-function vi() {
-  mi.push(this) === 1 && (C.requestAnimationFrame || _s)(ks);
+function xi() {
+  wi.push(this) === 1 && (C.requestAnimationFrame || xs)(Cs);
 }
-function gi(e, t) {
+function Si(e, t) {
   var n = oe(e);
   n.current = e;
-  var o = Qt;
-  Ce(function() {
+  var o = Zt;
+  Ee(function() {
     return T(function() {
-      if (this.N = ws, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Ms, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/store.ts
-var Kn = /* @__PURE__ */ new Set(), St = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function en(e, t) {
+var jn = /* @__PURE__ */ new Set(), St = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function nn(e, t) {
   if (!St(e) || !St(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = en(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = nn(n[o], r);
   return n;
 }
-var Jt = class {
+var en = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -833,9 +833,9 @@ var Jt = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: en(i, r), seq: n });
+      this.own.set(o, { value: nn(i, r), seq: n });
     }
-    Kn.add(this), this.show();
+    jn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -849,7 +849,7 @@ var Jt = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && Kn.delete(this), n && this.show();
+    this.own.size === 0 && jn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -860,7 +860,7 @@ var Jt = class {
     for (let [n, o] of this.own) t[n] = o.value;
     this.shown.value = { ...this.server, ...t };
   }
-}, Ee = class {
+}, Te = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
   entries = /* @__PURE__ */ new Map();
@@ -879,86 +879,90 @@ var Jt = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new Jt(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new en(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new Jt(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new en(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, w = new Ee(), D = new Ee(), ge = new Ee(), tn = new Ee(), Mt = new Ee(), Ct = new Ee(), He = new Ee(), it = new Ee(), Zt = {
+}, w = new Te(), O = new Te(), ge = new Te(), Mt = new Te(), Ct = new Te(), Et = new Te(), Ke = new Te(), at = new Te(), tn = {
   lamps: w,
-  groups: D,
+  groups: O,
   things: ge,
-  materials: tn,
-  views: Mt,
-  looks: Ct,
-  meters: He,
-  grids: it
-}, ee = g(null), On = g([]), xe = g([]), at = g({ undo: null, redo: null, steps: 0 }), st = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), Te = g(null), Nn = new Jt({
+  materials: Mt,
+  views: Ct,
+  looks: Et,
+  meters: Ke,
+  grids: at
+}, ee = g(null), on = g([]), Se = g([]), st = g({ undo: null, redo: null, steps: 0 }), lt = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), $e = g(null), Un = new en({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), lt = Nn.shown, Wo = {
+}), ut = Un.shown, Bo = {
   scene: ee,
-  layers: On,
-  solo: xe,
-  history: at,
-  saved: st,
+  layers: on,
+  solo: Se,
+  history: st,
+  saved: lt,
   editor: te,
-  status: Te
+  status: $e
 };
-function bi(e) {
-  Kn.clear();
-  for (let [t, n] of Object.entries(Zt)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Wo)) t in e && (n.value = e[t]);
-  St(e.display) && Nn.receive(e.display);
+function Mi(e) {
+  jn.clear();
+  for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(Bo)) t in e && (n.value = e[t]);
+  St(e.display) && Un.receive(e.display);
 }
-function _i(e, t) {
+function Ci(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in Zt ? Zt[n].patch(o) : n === "display" ? Nn.receive(o) : n in Wo && (Wo[n].value = o);
-  Et(t);
+    n in tn ? tn[n].patch(o) : n === "display" ? Un.receive(o) : n in Bo && (Bo[n].value = o);
+  Tt(t);
 }
-function Et(e) {
-  for (let t of [...Kn]) t.release(e);
+function Tt(e) {
+  for (let t of [...jn]) t.release(e);
 }
-function yi(e, t) {
+function Ei(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in Zt && St(o))
+    if (n in tn && St(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = Zt[n].entry(Number(r));
+        let a = tn[n].entry(Number(r));
         a && St(i) && t(a, i);
       }
-    else n === "display" && St(o) && t(Nn, o);
+    else n === "display" && St(o) && t(Un, o);
 }
-var Bo = (e, t) => yi(e, (n, o) => n.keep(o, t)), Fn = (e, t) => yi(e, (n, o) => n.settle(o, t));
-function Se(e) {
-  let t = D.get(e.group);
+var zo = (e, t) => Ei(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ei(e, (n, o) => n.settle(o, t));
+function be(e) {
+  let t = O.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-var wi = G(() => {
+var Ti = G(() => {
   let e = w.all();
-  return e.length > 0 && e.every(([, t]) => Se(t) === 0);
+  return e.length > 0 && e.every(([, t]) => be(t) === 0);
 });
+function Es(e, t) {
+  let n = t.trim().toLowerCase();
+  return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
+}
 
 // src/say.ts
-var ut = g([]), xs = 0;
+var ct = g([]), Ts = 0;
 function Q(e, t = "plain") {
-  if (ut.peek().find((r) => r.text === e)) return;
-  let o = ++xs;
-  ut.value = [...ut.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => zo(o), t === "warn" ? 8e3 : 4e3);
+  if (ct.peek().find((r) => r.text === e)) return;
+  let o = ++Ts;
+  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Go(o), t === "warn" ? 8e3 : 4e3);
 }
-function zo(e) {
-  ut.value = ut.peek().filter((t) => t.id !== e);
+function Go(e) {
+  ct.value = ct.peek().filter((t) => t.id !== e);
 }
 
 // src/counters.ts
@@ -969,13 +973,13 @@ var le = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, ki = 0;
+}, $i = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => ki = t.timeStamp, { capture: !0, passive: !0 });
-function xi(e, t) {
-  le.sent.push({ seq: e, what: t, at: performance.now(), input: ki }), le.sent.length > 1024 && le.sent.shift();
+  addEventListener(e, (t) => $i = t.timeStamp, { capture: !0, passive: !0 });
+function Pi(e, t) {
+  le.sent.push({ seq: e, what: t, at: performance.now(), input: $i }), le.sent.length > 1024 && le.sent.shift();
 }
-function Si(e) {
+function Li(e) {
   le.frame = e.frame, le.seqApplied = e.seq, le.firstDrawn ||= e.drawn, le.frames.push(e), le.frames.length > 1024 && le.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -986,136 +990,136 @@ function Si(e) {
 window.__desk = le;
 
 // src/wire.ts
-var U = g("entering"), rn = g(0), me = g("edit"), Qo = g(null), De = g(0), Mi = () => null, Ci = (e) => {
-  Mi = e;
-}, Xo = /* @__PURE__ */ new Map(), ze = null, nn = 0, Go = null, on = 0, Tt = "", jn = !1;
-function $e(e, t) {
-  let n = Xo.get(e) ?? /* @__PURE__ */ new Set();
-  return Xo.set(e, n.add(t)), () => n.delete(t);
+var U = g("entering"), sn = g(0), me = g("edit"), Jo = g(null), De = g(0), Vi = () => null, Ii = (e) => {
+  Vi = e;
+}, Yo = /* @__PURE__ */ new Map(), ze = null, rn = 0, Xo = null, an = 0, $t = "", Bn = !1;
+function Me(e, t) {
+  let n = Yo.get(e) ?? /* @__PURE__ */ new Set();
+  return Yo.set(e, n.add(t)), () => n.delete(t);
 }
 function N(e) {
-  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (nn += 1, ze.send(JSON.stringify({ ...e, seq: nn })), e.do !== "ack" && xi(nn, e.do), nn);
+  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, ze.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Pi(rn, e.do), rn);
 }
-var Ss = 0, ct = /* @__PURE__ */ new Map();
-function Me(e, t, n, o = () => {
+var $s = 0, ft = /* @__PURE__ */ new Map();
+function Ce(e, t, n, o = () => {
 }) {
-  let r = ++Ss, i = $e("answer", (l) => {
+  let r = ++$s, i = Me("answer", (l) => {
     l.id === r && (l.done !== !1 && i(), n(l));
   }), a = N({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
-  ct.set(a, (l) => {
+  ft.set(a, (l) => {
     i(), o(l);
   });
-  for (let l of ct.keys()) {
+  for (let l of ft.keys()) {
     if (l > a - 300) break;
-    ct.delete(l);
+    ft.delete(l);
   }
   return i;
 }
-function Ms(e) {
+function Ps(e) {
   switch (e.is) {
     case "hello":
-      if (on = 0, Go !== null && e.build !== Go) {
+      if (an = 0, Xo !== null && e.build !== Xo) {
         U.value = "renewed", ze?.close();
         return;
       }
-      Go = e.build, me.value = e.role === "watch" ? "watch" : "edit", Qo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ct.clear(), U.value = "open";
+      Xo = e.build, me.value = e.role === "watch" ? "watch" : "edit", Jo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ft.clear(), U.value = "open";
       break;
     case "state":
-      bi(e.state ?? e);
+      Mi(e.state ?? e);
       break;
     case "patch":
-      Yo(e.seq), _i(e.patch ?? {}, De.value);
+      Qo(e.seq), Ci(e.patch ?? {}, De.value);
       break;
     case "status":
-      Te.value = e;
+      $e.value = e;
       break;
     case "refused":
-      if (Yo(e.seq), Et(De.value), ct.has(e.seq)) {
-        ct.get(e.seq)?.(e.why ?? ""), ct.delete(e.seq);
+      if (Qo(e.seq), Tt(De.value), ft.has(e.seq)) {
+        ft.get(e.seq)?.(e.why ?? ""), ft.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (jn = !0);
+      e.what === "bye" && (Bn = !0);
       break;
   }
-  for (let t of [...Xo.get(e.is) ?? []]) t(e);
+  for (let t of [...Yo.get(e.is) ?? []]) t(e);
 }
-function Yo(e) {
+function Qo(e) {
   typeof e == "number" && e > De.value && (De.value = e);
 }
-async function Ei() {
-  if (!Tt) return "in";
+async function Ai() {
+  if (!$t) return "in";
   try {
     return (await fetch("/enter", {
       method: "POST",
       headers: { "content-type": "application/json" },
-      body: JSON.stringify({ key: Tt })
+      body: JSON.stringify({ key: $t })
     })).ok ? "in" : "denied";
   } catch {
     return "away";
   }
 }
-function Ti() {
+function Ri() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
   ze = t, t.onmessage = (o) => {
     if (t !== ze) return;
     if (typeof o.data != "string") {
-      let i = Mi(o.data);
-      i && Yo(i.seq);
+      let i = Vi(o.data);
+      i && Qo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, nn = 0), Ms(r);
+    r.is === "hello" && (n = !0, rn = 0), Ps(r);
   }, t.onclose = () => {
-    t === ze && (ze = null, U.value !== "renewed" && Cs(n));
+    t === ze && (ze = null, U.value !== "renewed" && Ls(n));
   };
 }
-async function Cs(e) {
-  if (Et(1 / 0), !e && await Es()) {
-    let o = await Ei();
-    if (o === "denied" || o === "in" && on > 4 && !Tt) {
+async function Ls(e) {
+  if (Tt(1 / 0), !e && await Vs()) {
+    let o = await Ai();
+    if (o === "denied" || o === "in" && an > 4 && !$t) {
       U.value = "denied";
       return;
     }
   }
-  on += 1;
+  an += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  on > 3 && t && (jn = !0), U.value = jn ? "ended" : "lost";
-  let n = Math.min(5, on);
+  an > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
+  let n = Math.min(5, an);
   for (let o = n; o > 0; o--)
-    rn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  rn.value = 0, Ti();
+    sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
+  sn.value = 0, Ri();
 }
-async function Es() {
+async function Vs() {
   try {
     return (await fetch("/", { method: "HEAD", cache: "no-store" })).ok;
   } catch {
     return !1;
   }
 }
-async function $i() {
+async function Hi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ei() === "denied") {
+  if (e ? ($t = e, sessionStorage.setItem("lampyris-key", $t), window.history.replaceState(null, "", location.pathname + location.search)) : $t = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ai() === "denied") {
     U.value = "denied";
     return;
   }
-  Ti();
+  Ri();
 }
-$e("hello", () => jn = !1);
+Me("hello", () => Bn = !1);
 
 // src/gesture.ts
-var $t = 0, Li = /* @__PURE__ */ new Set(), Ii = (e) => {
-  Li.add(e);
-}, an = /* @__PURE__ */ new Set();
-function qn() {
+var Pt = 0, Di = /* @__PURE__ */ new Set(), Ni = (e) => {
+  Di.add(e);
+}, ln = /* @__PURE__ */ new Set();
+function zn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : me.value === "watch" ? "You are watching. Ask for the pen to change things." : te.value.you ? null : `${te.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
 }
-var Pi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ke = class {
+var Oi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ne = class {
   constructor(t) {
     this.label = t;
   }
@@ -1127,17 +1131,17 @@ var Pi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (Bo(t, 1 / 0), this.touched = en(this.touched, t), this.waiting = en(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
+    this.state === "over" || !this.begin() || (zo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
     this.state === "over" || !this.begin() || (this.flush(), this.last = N(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Fn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Pi(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Oi(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Fn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, Wn(this.touched, 0), this.finish({ do: "cancel" }), Tt(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
@@ -1145,43 +1149,43 @@ var Pi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   /** The line is gone, and with it what was held. */
   drop() {
-    this.state = "over", an.delete(this), $t = 0;
+    this.state = "over", ln.delete(this), Pt = 0;
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = se(qn);
-    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", an.add(this), $t === 0 && Li.forEach((n) => n()), $t++ === 0 && (this.last = N({ do: "begin", label: Pi(this.label) })), !0);
+    let t = se(zn);
+    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Pt === 0 && Di.forEach((n) => n()), Pt++ === 0 && (this.last = N({ do: "begin", label: Oi(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = N({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    an.delete(this), $t = Math.max(0, $t - 1), $t === 0 && N(t);
+    ln.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && N(t);
   }
 };
 function ce(e, t) {
-  let n = new Ke(e);
+  let n = new Ne(e);
   n.set(t), n.end();
 }
-function Un(e, t) {
-  let n = new Ke(e);
+function Gn(e, t) {
+  let n = new Ne(e);
   n.also(t), n.end();
 }
-function Pt(e) {
-  se(() => U.value) === "open" && (Bo({ display: e }, 1 / 0), Fn({ display: e }, N({ do: "display", patch: e })));
+function Lt(e) {
+  se(() => U.value) === "open" && (zo({ display: e }, 1 / 0), Wn({ display: e }, N({ do: "display", patch: e })));
 }
 var Pe = null;
-function Ai(e, t, n) {
-  Pe && Pe.key !== e && Vi(), Pe ??= { key: e, gesture: new Ke(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Vi, 700);
+function Zo(e, t, n) {
+  Pe && Pe.key !== e && Ki(), Pe ??= { key: e, gesture: new Ne(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Ki, 700);
 }
-function Vi() {
+function Ki() {
   Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
 }
 T(() => {
-  De.value, se(() => [...an].forEach((e) => e.followed()));
+  De.value, se(() => [...ln].forEach((e) => e.followed()));
 });
 T(() => {
-  U.value !== "open" && [...an].forEach((e) => e.drop());
+  U.value !== "open" && [...ln].forEach((e) => e.drop());
 });
 
 // src/vec.ts
@@ -1189,59 +1193,59 @@ var M = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], A = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), Ve = (e, t) => Oe(A(e, t)), Ts = (e, t, n) => M(x(e, 1 - n), x(t, n));
-function j(e, t = [0, 0, 1]) {
-  let n = Oe(e);
+], Fe = (e) => Math.hypot(e[0], e[1], e[2]), Le = (e, t) => Fe(A(e, t)), Is = (e, t, n) => M(x(e, 1 - n), x(t, n));
+function q(e, t = [0, 0, 1]) {
+  let n = Fe(e);
   return n > 1e-12 ? x(e, 1 / n) : t;
 }
-function ft(e) {
-  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
-  return j(fe(t, e));
+function pt(e) {
+  let t = Math.abs(e[0]) < 0.7 * Fe(e) ? [1, 0, 0] : [0, 1, 0];
+  return q(fe(t, e));
 }
-function sn(e, t, n) {
+function un(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
   return M(M(x(e, o), x(fe(t, e), r)), x(t, F(t, e) * (1 - o)));
 }
-function ln([e, t]) {
+function cn([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
     o & 1 ? t[0] : e[0],
     o & 2 ? t[1] : e[1],
     o & 4 ? t[2] : e[2]
   ]);
 }
-var pt = ([e, t]) => Ts(e, t, 0.5);
+var Ge = ([e, t]) => Is(e, t, 0.5);
 
 // src/camera.ts
-var Jo = Math.PI / 180, Wn = 89 * Jo;
+var er = Math.PI / 180, Xn = 89 * er;
 function Vt(e, t, n) {
-  let o = j(A(e.target, e.eye), [0, 0, -1]), r = j(fe(o, e.up), ft(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * Jo * 0.5) / n;
+  let o = q(A(e.target, e.eye), [0, 0, -1]), r = q(fe(o, e.up), pt(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * er * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: l, parallel: a };
 }
-function un(e, t) {
+function fn(e, t) {
   let n = A(t, e.eye), o = F(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + F(n, e.side) / r, e.height / 2 - F(n, e.up) / r, o];
 }
-function $s(e, t, n) {
+function As(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = M(x(e.side, o), x(e.up, r));
-  return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: j(M(e.forward, i)) };
+  return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: q(M(e.forward, i)) };
 }
-function Ri(e, t, n, o) {
-  let r = A(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(j(r), t)))), l = A(r, x(t, F(r, t))), d = j(Oe(l) > 1e-6 * i ? l : A(e.up, x(t, F(e.up, t))), ft(t)), u = Math.max(-Wn, Math.min(Wn, a + o)), c = sn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
+function Fi(e, t, n, o) {
+  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(q(r), t)))), l = A(r, x(t, F(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, F(e.up, t))), pt(t)), u = Math.max(-Xn, Math.min(Xn, a + o)), c = un(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
   return { ...e, up: t, target: M(e.eye, x(p, i)) };
 }
-function Hi(e, t, n, o, r) {
-  let i = A(e.target, e.eye), a = A(i, x(t, F(i, t))), l = j(Oe(a) > 1e-6 ? a : e.up, ft(t)), d = j(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
-  return Ge(e, u);
+function qi(e, t, n, o, r) {
+  let i = A(e.target, e.eye), a = A(i, x(t, F(i, t))), l = q(Fe(a) > 1e-6 ? a : e.up, pt(t)), d = q(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
+  return Xe(e, u);
 }
-function Di(e, t, n, o, r) {
-  let i = j(A(e.target, e.eye)), a = j(fe(i, e.up), ft(i));
-  return Ge(e, M(M(x(i, n), x(a, o)), x(t, r)));
+function ji(e, t, n, o, r) {
+  let i = q(A(e.target, e.eye)), a = q(fe(i, e.up), pt(i));
+  return Xe(e, M(M(x(i, n), x(a, o)), x(t, r)));
 }
-function Ge(e, t) {
+function Xe(e, t) {
   return { ...e, eye: M(e.eye, t), target: M(e.target, t) };
 }
-function Ki(e, t, n, o, r) {
-  let i = j(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), l = Math.max(-Wn, Math.min(Wn, a + r)), d = j(fe(i, t), j(fe(i, e.up), ft(i))), u = (c) => sn(sn(c, d, l - a), t, o);
+function Ui(e, t, n, o, r) {
+  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), l = Math.max(-Xn, Math.min(Xn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => un(un(c, d, l - a), t, o);
   return {
     ...e,
     up: t,
@@ -1249,39 +1253,39 @@ function Ki(e, t, n, o, r) {
     target: M(n, u(A(e.target, n)))
   };
 }
-function Oi(e, t, n, o, r) {
+function Wi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return Ge(e, M(x(t.side, -n * i), x(t.up, o * i)));
+  return Xe(e, M(x(t.side, -n * i), x(t.up, o * i)));
 }
-function Bn(e, t, n, o, r) {
-  let i = A(t, e.eye), a = Oe(i);
+function Yn(e, t, n, o, r) {
+  let i = A(t, e.eye), a = Fe(i);
   if (a < 1e-9) return e;
   let l = a * (1 - n);
-  return r ? l = Math.sign(l) * Math.max(Math.abs(l), 0.5 * Math.abs(1 - n)) : l > 0 && (l = Math.max(0, Math.min(l, a - o))), Ge(e, x(i, l / a));
+  return r ? l = Math.sign(l) * Math.max(Math.abs(l), 0.5 * Math.abs(1 - n)) : l > 0 && (l = Math.max(0, Math.min(l, a - o))), Xe(e, x(i, l / a));
 }
-function zn(e, t, n, o, r) {
+function Qn(e, t, n, o, r) {
   let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, l = M(
     x(t.side, (n - t.width / 2) * a),
     x(t.up, (t.height / 2 - o) * a)
   );
-  return { ...Ge(e, l), height: i };
+  return { ...Xe(e, l), height: i };
 }
-function Ni(e, t, n = 0.4) {
-  let o = pt(t), r = Math.max(Ve(t[0], t[1]) / 2, 0.15), i = j(A(e.eye, e.target));
+function Bi(e, t, n = 0.4) {
+  let o = Ge(t), r = Math.max(Le(t[0], t[1]) / 2, 0.15), i = q(A(e.eye, e.target));
   if (e.height) {
     let l = F(A(e.eye, o), i);
     return { ...e, eye: M(o, x(i, l)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * Jo * 0.5), n + r);
+  let a = Math.max(1.5 * r / Math.tan(e.fov * er * 0.5), n + r);
   return { ...e, eye: M(o, x(i, a)), target: o };
 }
-var Ps = ["plan", "ceiling", "north", "east", "south", "west"];
-function Vs(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = j(fe(e, t));
-  return { right: j(fe(n, e)), ahead: n };
+var Rs = ["plan", "ceiling", "north", "east", "south", "west"];
+function zi(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = q(fe(e, t));
+  return { right: q(fe(n, e)), ahead: n };
 }
-function Fi(e, t, n, o) {
-  let { right: r, ahead: i } = Vs(n), a = pt(t), l = (_) => Math.abs(F(A(t[1], t[0]), _)), u = {
+function Gi(e, t, n, o) {
+  let { right: r, ahead: i } = zi(n), a = Ge(t), l = (_) => Math.abs(F(A(t[1], t[0]), _)), u = {
     plan: { forward: x(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: x(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -1291,15 +1295,15 @@ function Fi(e, t, n, o) {
   }[e], c = l(u.forward), p = 1, m = A(a, x(u.forward, c / 2 + p)), f = 1.08 * Math.max(l(u.up), l(u.side) / o, 0.1);
   return { eye: m, target: a, up: u.up, fov: 50, height: f, near: p + c * u.cut };
 }
-function cn(e, t) {
-  let n = (r, i) => Ve(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+function pn(e, t) {
+  let n = (r, i) => Le(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/frames.ts
-var W = g(null), It = g(0), ji = ["moving", "settled", "final"], qi = 32, Lt = /* @__PURE__ */ new Map(), Le = null, Zo = null, er = !1, dt = null;
-function Ls(e) {
-  if (e.byteLength < qi) return null;
+var W = g(null), At = g(0), Xi = ["moving", "settled", "final"], Yi = 32, It = /* @__PURE__ */ new Map(), Ve = null, tr = null, nr = !1, dt = null;
+function Hs(e) {
+  if (e.byteLength < Yi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1307,7 +1311,7 @@ function Ls(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: ji[Math.min(t.getUint8(16), 2)],
+    kind: Xi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1315,31 +1319,31 @@ function Ls(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Is(e) {
-  let t = Ls(e);
-  return t ? (dt && N({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, er || As(), t.head) : null;
+function Os(e) {
+  let t = Hs(e);
+  return t ? (dt && N({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, nr || Ks(), t.head) : null;
 }
-async function As() {
-  for (er = !0; dt; ) {
+async function Ks() {
+  for (nr = !0; dt; ) {
     let { head: e, mime: t, bytes: n, received: o } = dt;
     dt = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, qi)], { type: t }));
-      Rs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Yi)], { type: t }));
+      Ds(e, r, n.byteLength, o);
     } catch {
     }
     N({ do: "ack", frame: e.frame });
   }
-  er = !1;
+  nr = !1;
 }
-function Rs(e, t, n, o) {
+function Ds(e, t, n, o) {
   let r = performance.now();
-  Le && Zo && ((Le.width !== t.width || Le.height !== t.height) && (Le.width = t.width, Le.height = t.height), Zo.drawImage(t, 0, 0)), t.close();
-  let i = Lt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Hs(), Si({
+  Ve && tr && ((Ve.width !== t.width || Ve.height !== t.height) && (Ve.width = t.width, Ve.height = t.height), tr.drawImage(t, 0, 0)), t.close();
+  let i = It.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Ns(), Li({
     frame: e.frame,
     seq: e.seq,
-    kind: ji.indexOf(e.kind),
+    kind: Xi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1352,37 +1356,37 @@ function Rs(e, t, n, o) {
     encode: e.encode
   });
 }
-var Gn = [];
-function Hs() {
+var Jn = [];
+function Ns() {
   let e = performance.now();
-  Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), It.value = Gn.length;
+  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), At.value = Jn.length;
 }
-function tr(e) {
-  Le = e, Zo = e?.getContext("2d", { alpha: !1 }) ?? null;
+function or(e) {
+  Ve = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Ui() {
-  if (!Le || !W.peek()) return null;
+function Qi() {
+  if (!Ve || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Le.width, e.height = Le.height, e.getContext("2d", { alpha: !1 })?.drawImage(Le, 0, 0), e;
+  return e.width = Ve.width, e.height = Ve.height, e.getContext("2d", { alpha: !1 })?.drawImage(Ve, 0, 0), e;
 }
-Ci(Is);
-$e("camera", (e) => {
-  Lt.set(e.number, e);
-  for (let t of Lt.keys()) {
-    if (Lt.size <= 64) break;
-    Lt.delete(t);
+Ii(Os);
+Me("camera", (e) => {
+  It.set(e.number, e);
+  for (let t of It.keys()) {
+    if (It.size <= 64) break;
+    It.delete(t);
   }
 });
-$e("hello", () => {
-  Lt.clear(), dt = null;
+Me("hello", () => {
+  It.clear(), dt = null;
 });
 
 // src/prefs.ts
-var Wi = "lampyris-";
+var Ji = "lampyris-";
 function pe(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Wi + e);
+    let r = localStorage.getItem(Ji + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1390,19 +1394,19 @@ function pe(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Wi + e, r);
+      localStorage.setItem(Ji + e, r);
     } catch {
     }
   }), o;
 }
-var nr = pe("theme", "dark"), or = pe("house-lights", 1), Xn = pe("hands", "default"), rr = pe("walking", "walk"), ir = pe("panels", !0), At = pe("listing", "faders"), Yn = pe("travel", "square"), Rt = pe("candles", "lx"), Bi = pe("single-keys", !0), ar = pe("lamp-marks", !0), Ds = pe("maintenance", 1), Xe = pe("fine", !1), sr = pe("fade", 1), Ks = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ie = pe("look-only", Ks);
+var rr = pe("theme", "dark"), ir = pe("house-lights", 1), Zn = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Rt = pe("listing", "faders"), eo = pe("travel", "square"), Ht = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ie = pe("look-only", qs);
 
 // src/select.ts
-var E = g(null), ne = g(null), K = g(null), Os = g("move"), re = G(() => {
+var E = g(null), ne = g(null), K = g(null), js = g("move"), re = G(() => {
   let e = E.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => w.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
+  return e?.kind === "lamp" ? e.ids.filter((t) => w.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => O.get(t)?.lamps ?? []) : [];
 });
-function be(e, t, n = "only") {
+function _e(e, t, n = "only") {
   let o = E.peek();
   if (n === "only" || o?.kind !== e) {
     E.value = { kind: e, ids: [t] };
@@ -1413,247 +1417,247 @@ function be(e, t, n = "only") {
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
   E.value = i.length ? { kind: e, ids: i } : null;
 }
-function Qn() {
+function to() {
   E.value = null;
 }
-function zi(e, t, n) {
+function Zi(e, t, n) {
   let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return be(e, n);
+  if (r < 0) return _e(e, n);
   let i = t.indexOf(n), [a, l] = r < i ? [r, i] : [i, r], d = t.slice(a, l + 1), u = (o?.ids ?? []).filter((c) => !d.includes(c));
   E.value = { kind: e, ids: [...u, ...r < i ? d : d.reverse()] };
 }
-function Ns(e) {
-  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? ge.ids.peek() : D.ids.peek();
+function Us(e) {
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? ge.ids.peek() : O.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  be(n, o[(r + e + o.length) % o.length]);
+  _e(n, o[(r + e + o.length) % o.length]);
 }
-function Gi(e, t) {
+function ea(e, t) {
   switch (e) {
     case "lamp":
       return w.get(t)?.name ?? `lamp ${t}`;
     case "group":
-      return D.get(t)?.name ?? `group ${t}`;
+      return O.get(t)?.name ?? `group ${t}`;
     case "thing":
       return ge.get(t)?.name ?? `thing ${t}`;
     case "material":
-      return tn.get(t)?.name ?? `material ${t}`;
+      return Mt.get(t)?.name ?? `material ${t}`;
     default:
       return `${e} ${t}`;
   }
 }
-function Ye(e) {
-  return e.length === 1 ? Gi("lamp", e[0]) : `${e.length} lamps`;
+function Qe(e) {
+  return e.length === 1 ? ea("lamp", e[0]) : `${e.length} lamps`;
 }
-function Xi(e, t) {
+function ta(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
     let i = w.get(e.lamp)?.group;
-    i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+    i != null && (O.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && Qn();
+    t === "only" && to();
     return;
   }
-  if (t !== "only") return be(n[0].kind, n[0].ids[0], t);
+  if (t !== "only") return _e(n[0].kind, n[0].ids[0], t);
   let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   E.value = n[(r + 1) % n.length];
 }
-var Jn = g(null);
+var no = g(null);
 
 // src/navigate.ts
-var Fs = 1.6, _e = g(null), Ne = G(() => ee.value?.up ?? [0, 0, 1]), ye = g([640, 480]), Dt = g(null), cr = null, fn = null, lr = !1, Qe = [], pr = [], fr = 0;
+var Ws = 1.6, ye = g(null), Ae = G(() => ee.value?.up ?? [0, 0, 1]), we = g([640, 480]), Kt = g(null), dr = null, dn = null, fr = !1, Je = [], hr = [], mr = 0;
 function J(e, t = null) {
-  let n = _e.peek();
-  if (n && cn(n, e)) return;
+  let n = ye.peek();
+  if (n && pn(n, e)) return;
   let o = performance.now();
-  n && (o - fr > 1e3 || t) && (Qe.push(n), Qe.length > 100 && Qe.shift(), pr.length = 0), fr = o, _e.value = e, Dt.value = t;
+  n && (o - mr > 1e3 || t) && (Je.push(n), Je.length > 100 && Je.shift(), hr.length = 0), mr = o, ye.value = e, Kt.value = t;
 }
-var ie = () => _e.peek();
-function js() {
-  Qi(Qe, pr);
+var ie = () => ye.peek();
+function Bs() {
+  oa(Je, hr);
 }
-function qs() {
-  Qi(pr, Qe);
+function zs() {
+  oa(hr, Je);
 }
-function Qi(e, t) {
+function oa(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = _e.peek();
-  o && t.push(o), fr = performance.now(), _e.value = n, Dt.value = null;
+  let o = ye.peek();
+  o && t.push(o), mr = performance.now(), ye.value = n, Kt.value = null;
 }
 T(() => {
-  !_e.value || U.value !== "open" || me.value === "watch" || lr || (lr = !0, requestAnimationFrame(() => {
-    lr = !1;
-    let t = _e.peek();
-    if (!t || fn && cn(fn, t)) return;
+  !ye.value || U.value !== "open" || me.value === "watch" || fr || (fr = !0, requestAnimationFrame(() => {
+    fr = !1;
+    let t = ye.peek();
+    if (!t || dn && pn(dn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: l } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (d.height = a), l && (d.near = l), N(d) && (fn = t);
+    a && (d.height = a), l && (d.near = l), N(d) && (dn = t);
   }));
 });
 T(() => {
   let e = W.value;
   e && se(() => {
-    _e.peek() && me.peek() === "edit" || (fn = e.camera, _e.value = e.camera, cr ??= e.camera);
+    ye.peek() && me.peek() === "edit" || (dn = e.camera, ye.value = e.camera, dr ??= e.camera);
   });
 });
-$e("hello", () => fn = null);
-function Kt(e, t) {
+Me("hello", () => dn = null);
+function Dt(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = pn(o.width, o.height);
+  let { head: o } = n, r = mn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function pn(e, t) {
-  let [n, o] = ye.peek(), r = Math.min(n / e, o / t);
+function mn(e, t) {
+  let [n, o] = we.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function mt(e = _e.peek()) {
-  let [t, n] = ye.peek();
+function mt(e = ye.peek()) {
+  let [t, n] = we.peek();
   return e ? Vt(e, t, n) : null;
 }
-var dn = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => pt(dn());
-function Zn(e, t) {
+var hn = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Nt = () => Ge(hn());
+function oo(e, t) {
   let n = ie();
-  n && J(Ri(n, Ne.peek(), e, t));
+  n && J(Fi(n, Ae.peek(), e, t));
 }
-function eo(e, t, n) {
+function ro(e, t, n) {
   let o = ie();
-  o && J(Ki(o, Ne.peek(), e, t, n));
+  o && J(Ui(o, Ae.peek(), e, t, n));
 }
-function Nt(e, t, n) {
+function Ft(e, t, n) {
   let o = ie(), r = mt();
-  o && r && J(Oi(o, r, e, t, n));
+  o && r && J(Wi(o, r, e, t, n));
 }
-function Ji(e, t, n) {
+function ra(e, t, n) {
   let o = ie();
   if (o) {
     if (o.height) {
       let r = mt(o);
-      r && J(Ge(o, M(x(r.side, t), x(r.up, e))));
+      r && J(Xe(o, M(x(r.side, t), x(r.up, e))));
       return;
     }
-    rr.peek() === "fly" || n !== 0 ? J(Di(o, Ne.peek(), e, t, n)) : (J(Hi(o, Ne.peek(), e, t, 0)), Us());
+    ar.peek() === "fly" || n !== 0 ? J(ji(o, Ae.peek(), e, t, n)) : (J(qi(o, Ae.peek(), e, t, 0)), Gs());
   }
 }
-var Ht = !1, ur = !0, Yi = null;
-function Us() {
+var Ot = !1, pr = !0, na = null;
+function Gs() {
   let e = ie();
-  if (!e || Ht || !ur) return;
-  let t = Ne.peek();
-  Ht = !0;
-  let n = Me("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
-    Ht = !1, ur = !0;
+  if (!e || Ot || !pr) return;
+  let t = Ae.peek();
+  Ot = !0;
+  let n = Ce("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
+    Ot = !1, pr = !0;
     let r = ie();
     if (!o.hit || !r || r.height) return;
-    Yi = F(o.point, t);
-    let i = Yi + Fs - F(r.eye, t);
-    Math.abs(i) > 0.01 && J(Ge(r, x(t, i * 0.5)));
+    na = F(o.point, t);
+    let i = na + Ws - F(r.eye, t);
+    Math.abs(i) > 0.01 && J(Xe(r, x(t, i * 0.5)));
   }, () => {
-    Ht = !1, ur = !1;
+    Ot = !1, pr = !1;
   });
   setTimeout(() => {
-    Ht && n(), Ht = !1;
+    Ot && n(), Ot = !1;
   }, 500);
 }
-function Ws() {
+function Xs() {
   let e = E.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(ge.get(i)?.box), e.kind === "meter" && n(null, He.get(i)?.point), e.kind === "group")
-      for (let a of D.get(i)?.lamps ?? []) n(w.get(a)?.box, w.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(ge.get(i)?.box), e.kind === "meter" && n(null, Ke.get(i)?.point), e.kind === "group")
+      for (let a of O.get(i)?.lamps ?? []) n(w.get(a)?.box, w.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(ln), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
+  let o = t.flatMap(cn), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
   return [r(Math.min), r(Math.max)];
 }
-function dr() {
-  let e = ie(), t = Ws();
-  e && t ? J(Ni(e, t), "selection") : mr();
+function vr() {
+  let e = ie(), t = Xs();
+  e && t ? J(Bi(e, t), "selection") : gr();
 }
-function mr() {
-  cr && J(cr, "home");
+function gr() {
+  dr && J(dr, "home");
 }
-function Bs(e) {
-  let [t, n] = ye.peek();
-  J(Fi(e, dn(), Ne.peek(), t / n), e);
+function Ys(e) {
+  let [t, n] = we.peek();
+  J(Gi(e, hn(), Ae.peek(), t / n), e);
 }
-function zs() {
-  for (let e = Qe.length - 1; e >= 0; e--)
-    if (!Qe[e].height) return J(Qe[e], "inside");
-  mr();
+function Qs() {
+  for (let e = Je.length - 1; e >= 0; e--)
+    if (!Je[e].height) return J(Je[e], "inside");
+  gr();
 }
-var Gs = G(() => {
-  let e = _e.value;
+var Js = G(() => {
+  let e = ye.value;
   if (!e?.height) return null;
-  let t = Vt(e, 2, 2), n = ln(dn()).map((o) => F(A(o, e.eye), t.forward));
+  let t = Vt(e, 2, 2), n = cn(hn()).map((o) => F(A(o, e.eye), t.forward));
   return { value: e.near ?? 0, most: Math.max(...n) };
 });
-function Xs(e) {
+function Zs(e) {
   let t = ie();
-  t && (_e.value = { ...t, near: Math.max(0, e) });
+  t && (ye.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var to = g("spot"), mn = null;
-function hr(e) {
-  mn = null, K.value = K.peek() === e ? null : e;
+var io = g("spot"), vn = null;
+function br(e) {
+  vn = null, K.value = K.peek() === e ? null : e;
 }
-function ea(e) {
+function aa(e) {
   if (!e) return Q("There is nothing at that point.", "warn");
   switch (K.peek()) {
     case "aim":
-      ta(re.peek(), e.point), K.value = null;
+      sa(re.peek(), e.point), K.value = null;
       break;
     case "meter":
-      na(e.point, e.normal), K.value = null;
+      la(e.point, e.normal), K.value = null;
       break;
     case "grid":
-      if (!mn) {
-        mn = e;
+      if (!vn) {
+        vn = e;
         return;
       }
-      Qs(mn.point, e.point), mn = null, K.value = null;
+      el(vn.point, e.point), vn = null, K.value = null;
       break;
     case "add":
-      Js(to.peek(), e), K.value = null;
+      tl(io.peek(), e), K.value = null;
       break;
   }
 }
-function ta(e, t) {
+function sa(e, t) {
   let n = {};
   for (let o of e) {
     let r = w.get(o)?.place;
-    !r?.position || !r.direction || (n[o] = { place: { aim: t, direction: j(A(t, r.position)) } });
+    !r?.position || !r.direction || (n[o] = { place: { aim: t, direction: q(A(t, r.position)) } });
   }
   if (!Object.keys(n).length) return Q("What is selected shines into all directions: it cannot be aimed.", "warn");
-  ce(`Aim ${Ye(e)}`, { lamps: n });
+  ce(`Aim ${Qe(e)}`, { lamps: n });
 }
-function vr(e, t) {
+function _r(e, t) {
   let n = new Set(e.ids.peek()), o = e.ids.subscribe((r) => {
     let i = r.filter((a) => !n.has(a));
-    i.length && (be(t, i[i.length - 1]), queueMicrotask(() => o()));
+    i.length && (_e(t, i[i.length - 1]), queueMicrotask(() => o()));
   });
   setTimeout(() => o(), 3e3);
 }
-var hn = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function na(e, t) {
-  let n = hn(He);
-  vr(He, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+var gn = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function la(e, t) {
+  let n = gn(Ke);
+  _r(Ke, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function Ys(e) {
+function ua(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-function Qs(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let o = Ne.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = j(fe(o, r)), a = A(t, e), [l, d] = [F(a, r), F(a, i)];
+function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
+  let o = Ae.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = q(fe(o, r)), a = A(t, e), [l, d] = [F(a, r), F(a, i)];
   if (Math.abs(l) < 0.05 || Math.abs(d) < 0.05) return Q("An area needs two corners that lie apart.", "warn");
   let u = M(e, M(x(r, Math.min(l, 0)), x(i, Math.min(d, 0))));
   [l, d] = [Math.abs(l), Math.abs(d)];
-  let c = (m) => Math.max(1, Math.ceil(m / Ys(Math.max(l, d)))), p = hn(it);
-  vr(it, "grid"), ce("Lay a grid", {
+  let c = (m) => Math.max(1, Math.ceil(m / ua(Math.max(l, d)))), p = gn(at);
+  _r(at, "grid"), ce("Lay a grid", {
     grids: {
       [p]: {
         name: `Area ${p + 1}`,
@@ -1668,74 +1672,74 @@ function Qs(e, t, n = { lux: 500, uniformity: 0.6 }) {
     }
   });
 }
-var Zi = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function Js(e, t) {
-  let n = Ne.peek(), o = F(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
+var ia = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function tl(e, t) {
+  let n = Ae.peek(), o = F(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
   e !== "point" && e !== "sphere" && (a.direction = i), e === "spot" && Object.assign(a, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (a.radius = 0.15), e === "sphere" && (a.radius = 0.08);
   let l = w.all().filter(([, d]) => d.own).length;
-  vr(w, "lamp"), Un(`Add ${Zi[e]?.toLowerCase() ?? e} lamp`, {
+  _r(w, "lamp"), Gn(`Add ${ia[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${Zi[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
+    lamp: { name: `${ia[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
   });
 }
-function Zs(e, t, n) {
-  !e.length || t < 1 || Un(`Copy ${Ye(e)}`, { do: "copy", lamps: e, count: t, step: n });
+function nl(e, t, n) {
+  !e.length || t < 1 || Gn(`Copy ${Qe(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function el(e) {
-  e.length && Un(`Remove ${Ye(e)}`, { do: "remove", lamps: e });
+function ol(e) {
+  e.length && Gn(`Remove ${Qe(e)}`, { do: "remove", lamps: e });
 }
-function tl(e, t, n) {
+function rl(e, t, n) {
   let o = {};
   for (let r of e) {
     let i = w.get(r)?.place, a = n.get(r);
     if (!a) continue;
-    let l = M(a, t), d = i?.aim && Ve(i.aim, l) > 1e-6 ? { direction: j(A(i.aim, l)) } : {};
+    let l = M(a, t), d = i?.aim && Le(i.aim, l) > 1e-6 ? { direction: q(A(i.aim, l)) } : {};
     o[r] = { place: { position: l, ...d } };
   }
   return { lamps: o };
 }
-function no(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? pt(e.box) : null);
+function ao(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Ge(e.box) : null);
 }
-function nl(e) {
+function il(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let o = w.get(n), r = o && no(o);
+    let o = w.get(n), r = o && ao(o);
     r && t.set(n, r);
   }
   return t;
 }
 
 // src/actions.ts
-var ht = g(null), Je = g("lamps"), oa = g("");
-function ro(e) {
-  let t = qn();
+var ht = g(null), Ze = g("lamps"), wr = g("");
+function lo(e) {
+  let t = zn();
   t ? Q(t, "warn") : N(e);
 }
-var ol = (e, t) => Object.fromEntries(e.map((n) => [n, t])), rl = {
+var al = (e, t) => Object.fromEntries(e.map((n) => [n, t])), sl = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "viridis",
   lines: !1
-}, gr = rl, il = () => lt.peek().false_color ?? gr;
-function br() {
-  let e = lt.peek().false_color;
-  e && (gr = e), Pt({ false_color: e ? null : gr });
+}, yr = sl, ll = () => ut.peek().false_color ?? yr;
+function kr() {
+  let e = ut.peek().false_color;
+  e && (yr = e), Lt({ false_color: e ? null : yr });
 }
-function io(e) {
-  let t = Math.round(((lt.peek().ev ?? 0) + e / 3) * 30) / 30;
-  Pt({ ev: t });
+function uo(e) {
+  let t = Math.round(((ut.peek().ev ?? 0) + e / 3) * 30) / 30;
+  Lt({ ev: t });
 }
-function al() {
+function ul() {
   let e = ie();
   if (!e) return;
-  let t = hn(Mt);
+  let t = gn(Ct);
   ce("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var sl = () => ro({ do: "look", what: "store", name: `Look ${hn(Ct) + 1}` });
-async function _r(e) {
+var cl = () => lo({ do: "look", what: "store", name: `Look ${gn(Et) + 1}` });
+async function xr(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1745,77 +1749,77 @@ async function _r(e) {
   }
   Q(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var vn = /* @__PURE__ */ new Map(), oo = null;
-function ll(e) {
-  vn = new Map(e.map((t) => [t.id, t])), oo && Z(oo), oo = null;
+var qt = /* @__PURE__ */ new Map(), so = null;
+function fl(e) {
+  qt = new Map(e.map((t) => [t.id, t])), so && Z(so), so = null;
 }
-var ra = (e) => vn.get(e), ia = (e) => vn.get(e)?.why?.() ?? null;
+var pl = () => [...qt.values()], ca = (e) => qt.get(e), Sr = (e) => qt.get(e)?.why?.() ?? null;
 function Z(e) {
-  let t = vn.get(e);
-  vn.size || (oo = e);
+  let t = qt.get(e);
+  qt.size || (so = e);
   let n = t?.why?.();
   n ? Q(n, "warn") : t?.run();
 }
 
 // src/before.ts
-var gn = g(null), he = g(null), ul = g(0.5);
-function cl() {
-  let e = W.peek(), t = Ui();
-  e && t && (gn.value = { picture: t, camera: e.camera });
+var bn = g(null), he = g(null), dl = g(0.5);
+function ml() {
+  let e = W.peek(), t = Qi();
+  e && t && (bn.value = { picture: t, camera: e.camera });
 }
-Ii(() => {
-  he.peek() !== "wipe" && cl();
+Ni(() => {
+  he.peek() !== "wipe" && ml();
 });
-function aa() {
-  let e = gn.peek(), t = W.peek();
+function fa() {
+  let e = bn.peek(), t = W.peek();
   if (!e || !t) Q("Nothing has been changed yet.");
-  else if (!cn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  else if (!pn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
-function bn(e) {
-  e ? he.peek() === null && aa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
+function _n(e) {
+  e ? he.peek() === null && fa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
 }
-function fl() {
-  he.value = he.peek() === "wipe" ? null : aa() ? "wipe" : null;
+function hl() {
+  he.value = he.peek() === "wipe" ? null : fa() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var pl = /* @__PURE__ */ Symbol.for("pv"), dl = 0;
+var vl = /* @__PURE__ */ Symbol.for("pv"), gl = 0;
 function s(e, t, n, o, r, i) {
   t || (t = {});
   var a, l, d = t;
   if ("ref" in d && typeof e != "function") for (l in d = {}, t) l == "ref" ? a = t[l] : d[l] = t[l];
-  var u = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: pl, __v: --dl, __i: -1, __u: 0 };
+  var u = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: vl, __v: --gl, __i: -1, __u: 0 };
   return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
 }
 
 // src/load.tsx
-var la = g(null), sa = !1;
+var da = g(null), pa = !1;
 function ae({ part: e }) {
-  let t = la.value?.[e];
+  let t = da.value?.[e];
   return t ? s(t, {}) : null;
 }
-function ua() {
+function ma() {
   T(() => {
-    if (sa || !(W.value ?? E.value)) return;
-    sa = !0;
+    if (pa || !(W.value ?? E.value)) return;
+    pa = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => la.value = t);
+      import(e).then((t) => da.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var ao = 0.3048, ca = {
+var co = 0.3048, ha = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: ao, "'": ao, in: ao / 12, '"': ao / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: co, "'": co, in: co / 12, '"': co / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -1825,19 +1829,19 @@ var ao = 0.3048, ca = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, ml = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function yr(e) {
-  let t = ml.exec(e);
+}, bl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function Mr(e) {
+  let t = bl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function fa(e, t, n) {
+function va(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, l = /^[+-]\s*/.exec(o);
     l && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(l[0].length));
-    let d = yr(o);
+    let d = Mr(o);
     if (!d) return null;
     let u = /^[a-zµ°%'"×]+/i.exec(d.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
     if (c === void 0) return null;
@@ -1845,8 +1849,8 @@ function fa(e, t, n) {
   }
   return i ? null : r;
 }
-function pa(e, t, n) {
-  let o = ca[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
+function ga(e, t, n) {
+  let o = ha[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
     apply: (S) => Math.min(o.high, Math.max(o.low, k(S)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1855,19 +1859,19 @@ function pa(e, t, n) {
   if (t === "level" && (l === "out" || l === "off")) return a(() => 0);
   let d = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (d && t !== "ev") {
-    let k = yr(d[1].trim());
+    let k = Mr(d[1].trim());
     return !k || k.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((S) => S * 2 ** k.value);
   }
   let u = /^([*/×÷])\s*(.+)$/.exec(r);
   if (u) {
-    let k = yr(u[2]);
+    let k = Mr(u[2]);
     if (!k) return i;
     let S = k.rest === "%" ? 0.01 : k.rest === "" ? 1 : NaN, y = k.value * S;
     return !Number.isFinite(y) || y === 0 && /[/÷]/.test(u[1]) ? i : a((b) => /[/÷]/.test(u[1]) ? b / y : b * y);
   }
-  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = fa(m, o, o.bare);
+  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = va(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let k = fa(m, { ...ca.flux }, NaN);
+    let k = va(m, { ...ha.flux }, NaN);
     f = k === null || Number.isNaN(k) ? null : k / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1879,20 +1883,20 @@ function B(e, t = 0) {
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Ae(e) {
+function Re(e) {
   let t = Math.abs(e);
   return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
-function Fe(e) {
+function He(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function so(e, t) {
+function yn(e, t) {
   switch (t) {
     case "level":
-      return `${Fe(e)} %`;
+      return `${He(e)} %`;
     case "flux":
-      return `${Ae(e)} lm`;
+      return `${Re(e)} lm`;
     case "kelvin":
       return `${B(e)} K`;
     case "angle":
@@ -1900,7 +1904,7 @@ function so(e, t) {
     case "length":
       return `${B(e, 2)} m`;
     case "lux":
-      return `${Ae(e)} lx`;
+      return `${Re(e)} lx`;
     case "seconds":
       return `${B(e, 1)} s`;
     case "ev":
@@ -1912,19 +1916,19 @@ function so(e, t) {
   }
 }
 function vt(e, t = !0) {
-  let n = Rt.value === "fc", o = n ? e / 10.7639 : e;
-  return Ae(o) + (t ? n ? " fc" : " lx" : "");
+  let n = Ht.value === "fc", o = n ? e / 10.7639 : e;
+  return Re(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
 function gt(e) {
-  let t = rt(null), n = rt(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : so(e.value, e.quantity));
-  Ce(() => {
+  let t = it(null), n = it(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : yn(e.value, e.quantity));
+  Ee(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let p = pa(t.value, e.quantity, e.flux);
+    let p = ga(t.value, e.quantity, e.flux);
     if ("why" in p) {
       n.value = p.why;
       return;
@@ -1984,12 +1988,12 @@ function gt(e) {
 }
 
 // src/icon.tsx
-function q({ name: e }) {
+function j({ name: e }) {
   return s("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: s("use", { href: `icons.svg#${e}` }) });
 }
 
 // src/menu.tsx
-function Ft({ id: e, label: t, title: n, children: o }) {
+function jt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
     let l = document.getElementById(e), d = a.getBoundingClientRect();
     l?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), l?.style.setProperty("top", `${d.bottom + 4}px`);
@@ -1999,8 +2003,8 @@ function Ft({ id: e, label: t, title: n, children: o }) {
     s("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function wr({ id: e, label: t }) {
-  let n = ia(e), o = ra(e);
+function Cr({ id: e, label: t }) {
+  let n = Sr(e), o = ca(e);
   return s(
     "button",
     {
@@ -2019,47 +2023,47 @@ function wr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var da = {
+var ba = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function ma() {
-  let e = lt.value, t = at.value.undo, n = at.value.redo, o = st.value, r = e.metered;
+function _a() {
+  let e = ut.value, t = st.value.undo, n = st.value.redo, o = lt.value, r = e.metered;
   return s("header", { class: "bar", children: [
-    s(Ft, { id: "page-menu", label: s(q, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
+    s(jt, { id: "page-menu", label: s(j, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
     s("h1", { title: o.file || ee.value?.file, children: [
       ee.value?.name ?? "Lampyris",
-      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": da[o.state], title: `${da[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": ba[o.state], title: `${ba[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     s("span", { class: "group", children: [
-      s("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => Z("undo"), children: s(q, { name: "undo" }) }),
-      s("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => Z("redo"), children: s(q, { name: "redo" }) })
+      s("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => Z("undo"), children: s(j, { name: "undo" }) }),
+      s("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => Z("redo"), children: s(j, { name: "redo" }) })
     ] }),
-    s(Ft, { id: "view-menu", label: s(X, { children: [
+    s(jt, { id: "view-menu", label: s(X, { children: [
       "View ",
-      s(q, { name: "down" })
+      s(j, { name: "down" })
     ] }), title: "View", children: s(ae, { part: "ViewItems" }) }),
     s("span", { class: "group wide", children: [
       s("button", { "aria-pressed": !1, onClick: () => Z("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
       s("button", { onClick: () => Z("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     s("span", { class: "gap" }),
-    s(Ft, { id: "seeing-menu", label: s(X, { children: [
+    s(jt, { id: "seeing-menu", label: s(X, { children: [
       "Picture ",
-      s(q, { name: "down" })
+      s(j, { name: "down" })
     ] }), title: "Tone and white", children: s(ae, { part: "SeeingItems" }) }),
-    s("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
-    s("button", { "aria-pressed": he.value === "wipe", "aria-disabled": gn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    s("button", { "aria-pressed": e.false_color !== null, onClick: kr, title: "False colour (B)", children: "False colour" }),
+    s("button", { "aria-pressed": he.value === "wipe", "aria-disabled": bn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     s("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => io(1), children: s(q, { name: "minus" }) }),
+      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => uo(1), children: s(j, { name: "minus" }) }),
       s("label", { children: [
         s("span", { "aria-hidden": "true", children: "EV" }),
-        s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Pt({ ev: i(e.ev ?? 0) }) })
+        s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Lt({ ev: i(e.ev ?? 0) }) })
       ] }),
-      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => io(-1), children: s(q, { name: "plus" }) }),
-      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => N({ do: "expose" }), children: s(q, { name: r ? "lock" : "meter" }) })
+      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => uo(-1), children: s(j, { name: "plus" }) }),
+      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => N({ do: "expose" }), children: s(j, { name: r ? "lock" : "meter" }) })
     ] }),
     s(
       "button",
@@ -2069,61 +2073,61 @@ function ma() {
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
         onClick: () => Ie.value = !Ie.value,
-        children: s(q, { name: Ie.value ? "lock" : "unlock" })
+        children: s(j, { name: Ie.value ? "lock" : "unlock" })
       }
     ),
     me.value === "edit" && s("button", { class: "wide", onClick: () => ht.value = "share", children: "Share" }),
-    s("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ht.value = "help", children: s(q, { name: "help" }) }),
-    s("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ht.value = "palette", children: s(q, { name: "search" }) }),
+    s("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ht.value = "help", children: s(j, { name: "help" }) }),
+    s("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ht.value = "palette", children: s(j, { name: "search" }) }),
     s(
       "button",
       {
         class: "icon narrow",
-        "aria-label": Je.value === "inspector" ? "Lamps" : "Inspector",
-        title: Je.value === "inspector" ? "Lamps" : "Inspector",
-        onClick: () => Je.value = Je.value === "inspector" ? "lamps" : "inspector",
-        children: s(q, { name: Je.value === "inspector" ? "lamps" : "sliders" })
+        "aria-label": Ze.value === "inspector" ? "Lamps" : "Inspector",
+        title: Ze.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Ze.value = Ze.value === "inspector" ? "lamps" : "inspector",
+        children: s(j, { name: Ze.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
 }
 
 // src/highlight.ts
-function lo(e) {
-  xe.value = e, N({ do: "solo", lamps: e });
+function fo(e) {
+  Se.value = e, N({ do: "solo", lamps: e });
 }
-function kr(e) {
-  let t = xe.peek(), n = e.every((o) => t.includes(o));
-  lo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+function Er(e) {
+  let t = Se.peek(), n = e.every((o) => t.includes(o));
+  fo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var hl = () => kr(re.peek()), xr = () => lo([]), _n = null;
-function uo(e) {
-  e && _n === null && re.peek().length ? (_n = xe.peek(), lo(re.peek())) : !e && _n !== null && (lo(_n), _n = null);
+var _l = () => Er(re.peek()), Tr = () => fo([]), wn = null;
+function po(e) {
+  e && wn === null && re.peek().length ? (wn = Se.peek(), fo(re.peek())) : !e && wn !== null && (fo(wn), wn = null);
 }
 
 // src/lights.ts
-var Ze = g(null), Sr = () => {
-}, va = () => {
+var et = g(null), $r = () => {
+}, wa = () => {
 };
-function co(e, t, n) {
-  fo(), Ze.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ha(n);
+function mo(e, t, n) {
+  ho(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ya(n);
   let o = !0, r = 0;
-  va = T(() => {
-    for (let [, i] of w.all()) Se(i);
+  wa = T(() => {
+    for (let [, i] of w.all()) be(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = se(() => Ze.value);
-      i && ha(i.hit);
+      let i = se(() => et.value);
+      i && ya(i.hit);
     }, 250);
   });
 }
-function ha(e) {
-  Sr(), Sr = Me("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Ze.peek();
-    n && (Ze.value = {
+function ya(e) {
+  $r(), $r = Ce("light", { point: e.point, normal: e.normal }, (t) => {
+    let n = et.peek();
+    n && (et.value = {
       ...n,
       lux: t.lux ?? n.lux,
       lamps: t.lamps ?? n.lamps,
@@ -2131,42 +2135,42 @@ function ha(e) {
     });
   });
 }
-function fo() {
-  Sr(), va(), Ze.value = null;
+function ho() {
+  $r(), wa(), et.value = null;
 }
 
 // src/keys.ts
-var vl = g("W A S D"), Mr = {
+var Ta = g("W A S D"), Pr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, gl = 1.8, jt = /* @__PURE__ */ new Set(), po = !1, mo = 1, Cr = !1, Er = 0;
-function xa(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Er) / 1e3));
-  if (Er = e, !jt.size) {
-    Cr = !1;
+}, yl = 1.8, Ut = /* @__PURE__ */ new Set(), vo = !1, go = 1, Lr = !1, Vr = 0;
+function $a(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
+  if (Vr = e, !Ut.size) {
+    Lr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let l of jt) {
-    let [d, u, c] = Mr[l];
+  for (let l of Ut) {
+    let [d, u, c] = Pr[l];
     n += d, o += u, r += c;
   }
-  let i = Math.max(1, Ve(...dn()) / 12), a = gl * t * mo * Math.min(i, 6);
-  (n || o || r) && Ji(n * a, o * a, r * a), requestAnimationFrame(xa);
+  let i = Math.max(1, Le(...hn()) / 12), a = yl * t * go * Math.min(i, 6);
+  (n || o || r) && ra(n * a, o * a, r * a), requestAnimationFrame($a);
 }
-function yn(e) {
-  jt.add(e), !Cr && (Cr = !0, Er = performance.now(), requestAnimationFrame(xa));
+function kn(e) {
+  Ut.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame($a));
 }
-var bl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function ga() {
+var wl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function ka() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var _l = {
+var kl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2186,14 +2190,14 @@ var _l = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, ba = {
+}, xa = {
   b: "quantity",
   o: "park",
   i: "unsolo",
   l: "from-lamp",
   g: "grid",
   t: "aim-here"
-}, _a = { Comma: "darker", Period: "brighter", Slash: "expose" }, ya = {
+}, Sa = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ma = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2202,108 +2206,108 @@ var _l = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function yl(e) {
+function xl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function wl() {
-  K.peek() ? K.value = null : Ze.peek() ? fo() : he.peek() ? he.value = null : E.peek() ? Qn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function Sl() {
+  K.peek() ? K.value = null : et.peek() ? ho() : he.peek() ? he.value = null : E.peek() ? to() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function wa(e) {
+function Ca(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? Nt(-t * 24, n * 24, 3) : e.shiftKey ? eo(Ot(), -t * 0.05, n * 0.05) : Zn(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? ro(Nt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
 }
-function ka(e) {
+function Ea(e) {
   let t = ie(), n = mt();
-  !t || !n || (t.height ? J(zn(t, n, n.width / 2, n.height / 2, e)) : J(Bn(t, t.target, e, 0.3, !0)));
+  !t || !n || (t.height ? J(Qn(t, n, n.width / 2, n.height / 2, e)) : J(Yn(t, t.target, e, 0.3, !0)));
 }
-function kl(e) {
+function Ml(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return wl();
-  if (bl(e.target)) {
-    t && e.key.toLowerCase() === "k" && je(e, "palette");
+  if (e.key === "Escape") return Sl();
+  if (wl(e.target)) {
+    t && e.key.toLowerCase() === "k" && qe(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (ga() && wa(e)) return e.preventDefault();
-    let i = yl(e);
-    i && je(e, i);
+    if (ka() && Ca(e)) return e.preventDefault();
+    let i = xl(e);
+    i && qe(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return je(e, "back");
-    if (e.key === "ArrowRight") return je(e, "forth");
-    if (i === "0") return je(e, "store-view");
+    if (e.key === "ArrowLeft") return qe(e, "back");
+    if (e.key === "ArrowRight") return qe(e, "forth");
+    if (i === "0") return qe(e, "store-view");
     if (i) {
       e.preventDefault();
-      let a = Mt.all()[Number(i) - 1];
+      let a = Ct.all()[Number(i) - 1];
       a && J(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && je(e, "unhide"), !(e.code in Mr)) return;
+    if (e.code === "KeyH" && qe(e, "unhide"), !(e.code in Pr)) return;
   }
-  let n = ga();
-  if (n && wa(e)) return e.preventDefault();
-  if (n && e.code in Mr)
-    return mo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return ka(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return ka(1 / 0.85);
-  if (!Bi.peek()) return;
-  if (e.shiftKey && ya[e.code]) return je(e, ya[e.code]);
-  if (po && /^\d$/.test(e.key)) {
-    e.preventDefault(), po = !1;
-    let i = Ct.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && ro({ do: "look", id: i, what: "recall", seconds: sr.peek() });
+  let n = ka();
+  if (n && Ca(e)) return e.preventDefault();
+  if (n && e.code in Pr)
+    return go = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return Ea(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Ea(1 / 0.85);
+  if (!lr.peek()) return;
+  if (e.shiftKey && Ma[e.code]) return qe(e, Ma[e.code]);
+  if (vo && /^\d$/.test(e.key)) {
+    e.preventDefault(), vo = !1;
+    let i = Et.ids.peek()[Number(e.key) - 1];
+    i !== void 0 && lo({ do: "look", id: i, what: "recall", seconds: cr.peek() });
     return;
   }
-  if (po = e.key.toLowerCase() === "j", po) return Q("Recall a look: now its digit.");
+  if (vo = e.key.toLowerCase() === "j", vo) return Q("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && re.peek().length) {
-    e.preventDefault(), oa.value = e.key;
+    e.preventDefault(), wr.value = e.key;
     return;
   }
-  if (!e.shiftKey && _a[e.code]) return je(e, _a[e.code]);
-  if (e.key === "\\") return void (e.repeat || bn(!0));
+  if (!e.shiftKey && Sa[e.code]) return qe(e, Sa[e.code]);
+  if (e.key === "\\") return void (e.repeat || _n(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || Z("highlight"));
-  if (o === "p" && e.shiftKey) return xl();
-  let r = e.shiftKey && ba[o] ? ba[o] : _l[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && je(e, r);
+  if (o === "p" && e.shiftKey) return Cl();
+  let r = e.shiftKey && xa[o] ? xa[o] : kl[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && qe(e, r);
 }
-function xl() {
-  let [e, t] = ye.peek(), n = Kt(e / 2, t / 2);
-  n && Me("point", n, (o) => o.hit && co(e / 2, t / 2, o));
+function Cl() {
+  let [e, t] = we.peek(), n = Dt(e / 2, t / 2);
+  n && Ce("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
 }
-function je(e, t) {
+function qe(e, t) {
   e.preventDefault(), Z(t);
 }
-function Sl(e) {
-  jt.delete(e.code), e.key === "\\" && bn(!1), e.key.toLowerCase() === "l" && uo(!1), e.key === "Shift" && (mo = 1);
+function El(e) {
+  Ut.delete(e.code), e.key === "\\" && _n(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (go = 1);
 }
-function Sa() {
-  addEventListener("keydown", kl), addEventListener("keyup", Sl), addEventListener("blur", () => {
-    jt.clear(), uo(!1), bn(!1);
+function Pa() {
+  addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
+    Ut.clear(), po(!1), _n(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    vl.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Ta.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Ml(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
-  mo = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
+function Tl(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Ut.delete(n);
+  go = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
 }
 
 // src/levels.ts
-var Ma = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ca = (e) => {
-  let t = Yn.peek() === "square" ? e * e : e;
+var Ir = (e) => Math.min(1, eo.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ar = (e) => {
+  let t = eo.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Cl = (e) => (e.kind === "lamp" ? w.get(e.id) : D.get(e.id))?.level ?? 0, ho = (e) => (e.kind === "lamp" ? w.get(e.id) : D.get(e.id))?.name ?? "";
-function Tr(e) {
+}, $l = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.level ?? 0, bo = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.name ?? "";
+function Rr(e) {
   let t = re.peek();
   return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ea(e, t, n) {
+function La(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2312,10 +2316,10 @@ function Ea(e, t, n) {
   }
   return { lamps: r };
 }
-var vo = class {
+var xn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Cl(t), this.from = t.kind === "lamp" ? new Map(Tr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ke(`${ho(t)} level`);
+    this.was = this.now = $l(t), this.from = t.kind === "lamp" ? new Map(Rr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ne(`${bo(t)} level`);
   }
   strip;
   gesture;
@@ -2323,62 +2327,66 @@ var vo = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ea(this.strip, t, this.from));
+    this.now = t, this.gesture.set(La(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? Ye([...this.from.keys()]) : ho(this.strip);
-    this.gesture.end(`${t} ${Fe(this.was)} → ${Fe(this.now)} %`);
+    let t = this.from.size > 1 ? Qe([...this.from.keys()]) : bo(this.strip);
+    this.gesture.end(`${t} ${He(this.was)} → ${He(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function $r(e, t) {
-  let n = new Map(Tr(e).map((o) => [o, w.get(o)?.level ?? 0]));
-  Ai(`level ${e.kind} ${e.id}`, `${ho(e)} level`, Ea(e, t, n));
+function _o(e, t) {
+  let n = new Map(Rr(e).map((o) => [o, w.get(o)?.level ?? 0]));
+  Zo(`level ${e.kind} ${e.id}`, `${bo(e)} level`, La(e, t, n));
 }
-function go(e, t) {
+function Sn(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = w.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Fe(w.get(e[0])?.level ?? 0)} → ${Fe(n[e[0]].level)} %` : " level";
-  ce(`${Ye(e)}${o}`, { lamps: n });
+  })), o = e.length === 1 ? ` ${He(w.get(e[0])?.level ?? 0)} → ${He(n[e[0]].level)} %` : " level";
+  ce(`${Qe(e)}${o}`, { lamps: n });
 }
-function bo(e, t) {
-  let n = t(D.get(e)?.level ?? 0);
-  ce(`${D.get(e)?.name ?? "Group"} ${Fe(n)} %`, { groups: { [e]: { level: n } } });
+function yo(e, t) {
+  let n = t(O.get(e)?.level ?? 0);
+  ce(`${O.get(e)?.name ?? "Group"} ${He(n)} %`, { groups: { [e]: { level: n } } });
 }
-function _o(e, t) {
-  let n = `${ho(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? ce(n, { groups: { [e.id]: { on: t } } }) : ce(n, { lamps: Object.fromEntries(Tr(e).map((o) => [o, { on: t }])) });
+function wo(e, t) {
+  let n = `${bo(e)} ${t ? "on" : "off"}`;
+  e.kind === "group" ? ce(n, { groups: { [e.id]: { on: t } } }) : ce(n, { lamps: Object.fromEntries(Rr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var El = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055;
-var Tl = (e) => Math.round(255 * El(Math.max(0, Math.min(1, e))));
-function yo(e) {
+var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Ll = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Vl = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
+function Mn(e) {
   let t = Math.max(...e, 1e-6);
-  return $l(e.map((n) => n / t));
+  return Va(e.map((n) => n / t));
 }
-function $l(e) {
-  return `#${e.map((t) => Tl(t).toString(16).padStart(2, "0")).join("")}`;
+function Va(e) {
+  return `#${e.map((t) => Vl(t).toString(16).padStart(2, "0")).join("")}`;
 }
+function Il(e) {
+  let t = (n) => Ll(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+  return [t(0), t(1), t(2)];
+}
+var Al = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ta = -1e9;
-addEventListener("scroll", () => Ta = performance.now(), { capture: !0, passive: !0 });
-var qt = (e) => Math.max(0, Math.min(1, e));
-function Pr(e) {
+var Ia = -1e9;
+addEventListener("scroll", () => Ia = performance.now(), { capture: !0, passive: !0 });
+var Wt = (e) => Math.max(0, Math.min(1, e));
+function Hr(e) {
   let t = oe(null), n = oe(null), o = e.notch ?? 0.01, r = (u) => {
     if (u.button !== 0 || e.disabled) return;
     let c = u.currentTarget.getBoundingClientRect(), p = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
-    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? qt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(qt(p));
+    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? Wt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Wt(p));
   }, i = (u) => {
     let c = n.current;
     if (!c || c.id !== u.pointerId) return;
     let p = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (p.height - 16) : (u.clientX - c.x) / (p.width - 12);
-    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(qt(c.at));
+    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(Wt(c.at));
   }, a = (u) => {
     n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
   }, l = (u) => {
@@ -2387,12 +2395,12 @@ function Pr(e) {
       return;
     }
     let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], p = null;
-    c && (p = qt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
+    c && (p = Wt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
   }, d = (u) => {
-    if (performance.now() - Ta < 400 || u.ctrlKey) return;
+    if (performance.now() - Ia < 400 || u.ctrlKey) return;
     u.preventDefault();
     let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
-    c && e.on(qt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
+    c && e.on(Wt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
   };
   return s(
     "input",
@@ -2408,7 +2416,7 @@ function Pr(e) {
       disabled: e.disabled,
       "aria-label": e.label,
       "aria-valuetext": e.text,
-      style: { "--t": qt(e.value) },
+      style: { "--t": Wt(e.value), "--gradient": e.gradient ?? "" },
       onPointerDown: r,
       onPointerMove: i,
       onPointerUp: a,
@@ -2426,16 +2434,16 @@ function Pr(e) {
 }
 
 // src/faderrow.tsx
-function ko(e) {
+function xo(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var wo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function $a({ row: e, index: t, count: n }) {
-  let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, l = i ?? a;
+var ko = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Aa({ row: e, index: t, count: n }) {
+  let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, l = i ?? a;
   if (!l) return null;
-  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * Se(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * Se(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => xe.value.includes(y)), f = xe.value.length > 0 && !d.some((y) => xe.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
-    begin: () => o.current = new vo(r),
+  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * be(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * be(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => Se.value.includes(y)), f = Se.value.length > 0 && !d.some((y) => Se.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
+    begin: () => o.current = new xn(r),
     end: () => {
       o.current?.end(), o.current = null;
     },
@@ -2454,57 +2462,61 @@ function $a({ row: e, index: t, count: n }) {
       onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => ne.value = null,
       children: [
-        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => _o(r, !l.on), children: s(q, { name: "power" }) }),
-        a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Pa(e.id), children: s(q, { name: bt.value.has(e.id) ? "right" : "down" }) }),
-        s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${wo(i)}` : l.name, onClick: (y) => xo(y, e.kind, e.id), children: [
-          s("span", { children: l.name }),
-          a && s("small", { children: d.length }),
-          i?.parked && s("small", { children: "parked" }),
-          i && !i.free && s("small", { class: "traced", title: wo(i), children: [
-            "↻",
-            s("span", { class: "spoken", children: "re-trace" })
-          ] })
+        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => wo(r, !l.on), children: s(j, { name: "power" }) }),
+        s("div", { class: "top", children: [
+          a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ra(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
+          s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
+            s("span", { children: l.name }),
+            a && s("small", { children: d.length }),
+            i?.parked && s("small", { children: "parked" }),
+            i && !i.free && s("small", { class: "traced", title: ko(i), children: [
+              "↻",
+              s("span", { class: "spoken", children: "re-trace" })
+            ] })
+          ] }),
+          i && s("span", { class: "tint", children: [
+            s("i", { class: "swatch", style: { background: Mn(i.swatch) } }),
+            xo(i)
+          ] }),
+          s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => Er(d), children: s(j, { name: "solo" }) })
         ] }),
-        i && s("span", { class: "tint", children: [
-          s("i", { class: "swatch", style: { background: yo(i.swatch) } }),
-          ko(i)
-        ] }),
-        s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => kr(d), children: s(q, { name: "solo" }) }),
-        s(
-          Pr,
-          {
-            label: `${l.name} level`,
-            class: "level",
-            value: Ma(l.level),
-            text: `${Fe(l.level)} %, ${Ae(c)} lumen`,
-            notch: 0.01,
-            on: (y) => {
-              let b = Ca(y);
-              o.current ? o.current.to(b) : $r(r, b);
-            },
-            reset: () => $r(r, 1),
-            ...S
-          }
-        ),
-        s(
-          gt,
-          {
-            label: `${l.name} level, typed`,
-            quantity: "level",
-            value: l.level,
-            flux: u,
-            step: 0.01,
-            set: (y) => i ? go(p && re.peek().length > 1 ? re.peek() : [e.id], y) : bo(e.id, y)
-          }
-        ),
-        s("span", { class: "lumens", children: so(c, "flux") })
+        s("div", { class: "bottom", children: [
+          s(
+            Hr,
+            {
+              label: `${l.name} level`,
+              class: "level",
+              value: Ir(l.level),
+              text: `${He(l.level)} %, ${Re(c)} lumen`,
+              notch: 0.01,
+              on: (y) => {
+                let b = Ar(y);
+                o.current ? o.current.to(b) : _o(r, b);
+              },
+              reset: () => _o(r, 1),
+              ...S
+            }
+          ),
+          s(
+            gt,
+            {
+              label: `${l.name} level, typed`,
+              quantity: "level",
+              value: l.level,
+              flux: u,
+              step: 0.01,
+              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : yo(e.id, y)
+            }
+          ),
+          s("span", { class: "lumens", children: yn(c, "flux") })
+        ] })
       ]
     }
   );
 }
 
 // src/sheetrow.tsx
-function Va() {
+function Ha() {
   return s("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     s("span", {}),
     s("span", { children: "Name" }),
@@ -2513,12 +2525,12 @@ function Va() {
     s("span", { children: "White" })
   ] });
 }
-function La({ row: e, index: t, count: n }) {
-  let o = e.kind === "lamp" ? w.get(e.id) : void 0, r = e.kind === "group" ? D.get(e.id) : void 0, i = o ?? r;
+function Oa({ row: e, index: t, count: n }) {
+  let o = e.kind === "lamp" ? w.get(e.id) : void 0, r = e.kind === "group" ? O.get(e.id) : void 0, i = o ?? r;
   if (!i) return null;
-  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * Se(o) : (r?.lamps ?? []).reduce((u, c) => {
+  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * be(o) : (r?.lamps ?? []).reduce((u, c) => {
     let p = w.get(c);
-    return u + (p ? p.flux * Se(p) : 0);
+    return u + (p ? p.flux * be(p) : 0);
   }, 0), d = ne.value?.kind === e.kind && ne.value.id === e.id;
   return s(
     "div",
@@ -2531,8 +2543,8 @@ function La({ row: e, index: t, count: n }) {
       onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => ne.value = null,
       children: [
-        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => _o(e, !i.on), children: s(q, { name: "power" }) }),
-        s("button", { class: "row-name", "aria-pressed": a, title: o ? wo(o) : void 0, onClick: (u) => xo(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
+        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => wo(e, !i.on), children: s(j, { name: "power" }) }),
+        s("button", { class: "row-name", "aria-pressed": a, title: o ? ko(o) : void 0, onClick: (u) => So(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
         s(
           gt,
           {
@@ -2541,13 +2553,13 @@ function La({ row: e, index: t, count: n }) {
             value: i.level,
             flux: o?.flux,
             step: 0.01,
-            set: (u) => o ? go([e.id], u) : bo(e.id, u)
+            set: (u) => o ? Sn([e.id], u) : yo(e.id, u)
           }
         ),
-        s("span", { class: "lumens", children: Ae(l) }),
-        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${ko(o)}`, onClick: () => be("lamp", e.id), children: [
-          s("i", { class: "swatch", style: { background: yo(o.swatch) } }),
-          ko(o)
+        s("span", { class: "lumens", children: Re(l) }),
+        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${xo(o)}`, onClick: () => _e("lamp", e.id), children: [
+          s("i", { class: "swatch", style: { background: Mn(o.swatch) } }),
+          xo(o)
         ] }) : s("span", {})
       ]
     }
@@ -2555,34 +2567,34 @@ function La({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Ia = 4;
-function Aa({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = oe(null), l = rt(0), d = rt(600);
-  Ce(() => {
+var Ka = 4;
+function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = oe(null), l = it(0), d = it(600);
+  Ee(() => {
     let p = a.current, m = new ResizeObserver(() => d.value = p.clientHeight);
     return m.observe(p), () => m.disconnect();
-  }, []), Ce(() => {
+  }, []), Ee(() => {
     let p = a.current;
     if (!p || r === void 0 || r < 0) return;
     let m = r * t;
     (m < p.scrollTop || m + t > p.scrollTop + p.clientHeight) && (p.scrollTop = Math.max(0, m - p.clientHeight / 2));
   }, [r, t]);
-  let u = Math.max(0, Math.floor(l.value / t) - Ia), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Ia);
+  let u = Math.max(0, Math.floor(l.value / t) - Ka), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Ka);
   return s("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => l.value = p.currentTarget.scrollTop, children: s("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: s("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (p, m) => n(u + m)) }) }) });
 }
 
 // src/lamps.tsx
-var So = g(""), bt = g(/* @__PURE__ */ new Set()), Mo = g("group"), Ha = G(() => {
-  let e = So.value.trim().toLowerCase(), t = (r) => {
+var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Na = G(() => {
+  let e = Mo.value.trim().toLowerCase(), t = (r) => {
     let i = w.get(r);
-    return i ? !e || `${i.name} ${i.kind} ${D.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
+    return i ? !e || `${i.name} ${i.kind} ${O.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
   };
-  if (Mo.value !== "group" && At.value === "sheet") {
-    let r = Mo.value, i = w.all().filter(([a]) => t(a));
+  if (Co.value !== "group" && Rt.value === "sheet") {
+    let r = Co.value, i = w.all().filter(([a]) => t(a));
     return i.sort(([, a], [, l]) => r === "name" ? a.name.localeCompare(l.name, "en", { numeric: !0 }) : l[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
   }
   let n = [], o = /* @__PURE__ */ new Set();
-  for (let [r, i] of D.all()) {
+  for (let [r, i] of O.all()) {
     i.lamps.forEach((l) => o.add(l));
     let a = i.lamps.filter(t);
     if (a.length) {
@@ -2595,28 +2607,28 @@ var So = g(""), bt = g(/* @__PURE__ */ new Set()), Mo = g("group"), Ha = G(() =>
   }
   for (let r of w.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
   return n;
-}), Ra = !1;
-D.ids.subscribe((e) => {
-  Ra || !e.length || (Ra = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+}), Da = !1;
+O.ids.subscribe((e) => {
+  Da || !e.length || (Da = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Pa(e) {
+function Ra(e) {
   let t = new Set(bt.peek());
   t.delete(e) || t.add(e), bt.value = t;
 }
-function xo(e, t, n) {
-  e.shiftKey ? zi(t, Ha.peek().filter((o) => o.kind === t).map((o) => o.id), n) : be(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function So(e, t, n) {
+  e.shiftKey ? Zi(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : _e(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Pl(e) {
+function Rl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Vl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Da() {
-  let e = Ha.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = At.value === "sheet";
-  return s("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Pl, children: [
+var Hl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Fa() {
+  let e = Na.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Rt.value === "sheet";
+  return s("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Rl, children: [
     s("header", { class: "panel-head", children: [
       s("h2", { children: [
         "Lamps ",
@@ -2624,8 +2636,8 @@ function Da() {
       ] }),
       s("span", { class: "gap" }),
       s("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        s("button", { "aria-pressed": !r, onClick: () => At.value = "faders", children: "Faders" }),
-        s("button", { "aria-pressed": r, onClick: () => At.value = "sheet", children: "Sheet" })
+        s("button", { "aria-pressed": !r, onClick: () => Rt.value = "faders", children: "Faders" }),
+        s("button", { "aria-pressed": r, onClick: () => Rt.value = "sheet", children: "Sheet" })
       ] })
     ] }),
     s("div", { class: "panel-tools", children: [
@@ -2635,21 +2647,21 @@ function Da() {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: So.value,
-          onInput: (i) => So.value = i.currentTarget.value,
+          value: Mo.value,
+          onInput: (i) => Mo.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (So.value = "", i.stopPropagation());
+            i.key === "Escape" && (Mo.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && s("select", { "aria-label": "Order", value: Mo.value, onChange: (i) => Mo.value = i.currentTarget.value, children: [
+      r && s("select", { "aria-label": "Order", value: Co.value, onChange: (i) => Co.value = i.currentTarget.value, children: [
         s("option", { value: "group", children: "by group" }),
         s("option", { value: "name", children: "by name" }),
         s("option", { value: "flux", children: "by flux" }),
         s("option", { value: "level", children: "by level" })
       ] }),
-      s(Ft, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Vl.map((i) => s(wr, { id: i }, i)),
+      s(jt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+        Hl.map((i) => s(Cr, { id: i }, i)),
         s("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           s("span", { children: "IES or LDT file…" }),
           s("kbd", { children: "later" })
@@ -2661,9 +2673,9 @@ function Da() {
       " selected; a fader moves them in proportion",
       s("button", { onClick: () => Z("none"), children: "None" })
     ] }),
-    r && s(Va, {}),
+    r && s(Ha, {}),
     s(
-      Aa,
+      Or,
       {
         label: "Lamps and groups",
         count: e.length,
@@ -2671,7 +2683,7 @@ function Da() {
         show: n,
         row: (i) => {
           let a = e[i];
-          return s(r ? La : $a, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
+          return s(r ? Oa : Aa, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
     ),
@@ -2680,10 +2692,10 @@ function Da() {
 }
 
 // src/states.ts
-var wn = g(null), et = g([]), kn = g(null), Lr = g(null), Vr = G(() => Te.value?.stage ?? "loading"), Ll = G(() => {
-  let e = Te.value?.fps ?? 0;
-  return Vr.value === "moving" && e > 6 && It.value < 0.4 * e && It.value < 5;
-}), Ut = G(() => {
+var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => $e.value?.stage ?? "loading"), Ol = G(() => {
+  let e = $e.value?.fps ?? 0;
+  return Kr.value === "moving" && e > 6 && At.value < 0.4 * e && At.value < 5;
+}), Bt = G(() => {
   switch (U.value) {
     case "entering":
       return "starting";
@@ -2692,51 +2704,51 @@ var wn = g(null), et = g([]), kn = g(null), Lr = g(null), Vr = G(() => Te.value?
     default:
       return U.value;
   }
-  return !ee.value || !W.value ? "loading" : st.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : wi.value ? "all-off" : Ll.value ? "slow" : Vr.value === "loading" ? "first" : Vr.value;
+  return !ee.value || !W.value ? "loading" : lt.value.state === "failed" ? "unsaved" : Cn.value !== null ? "broken" : En.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : Ti.value ? "all-off" : Ol.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
 });
-$e("event", (e) => {
+Me("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      wn.value = null, et.value = e.lost ?? [];
+      Cn.value = null, tt.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      Q(`The scene was read again: ${t} edits kept${et.value.length ? `, ${et.value.length} no longer find what they changed` : ""}.`);
+      Q(`The scene was read again: ${t} edits kept${tt.value.length ? `, ${tt.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
-      wn.value = e.why ?? "The scene file cannot be read.";
+      Cn.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      kn.value = e.by ?? te.peek().name ?? "somebody else";
+      En.value = e.by ?? te.peek().name ?? "somebody else";
       break;
     case "loading":
-      Lr.value = e;
+      Dr.value = e;
       break;
   }
 });
-$e("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
+Me("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
 T(() => {
-  te.value.you && (kn.value = null);
+  te.value.you && (En.value = null);
 });
 
 // src/probe.ts
-var Co = g(null);
-function Eo(e, t, n) {
-  let o = Kt(e, t);
+var Eo = g(null);
+function To(e, t, n) {
+  let o = Dt(e, t);
   if (!o) return n(null);
-  Me("point", o, (r) => n(r.hit ? r : null));
+  Ce("point", o, (r) => n(r.hit ? r : null));
 }
-function Ka(e) {
+function qa(e) {
   if (!e) return "";
-  let t = [], n = w.get(e.lamp)?.name, o = ge.get(e.thing)?.name, r = tn.get(e.material)?.name;
+  let t = [], n = w.get(e.lamp)?.name, o = ge.get(e.thing)?.name, r = Mt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${vt(e.lux[0])} ±${vt(e.lux[1], !1)}`), e.luminance) {
-    let i = e.luminance[0] * (Rt.value === "fc" ? 0.2919 : 1);
-    t.push(`${Ae(i)} ${Rt.value === "fc" ? "fL" : "cd/m²"}`);
+    let i = e.luminance[0] * (Ht.value === "fc" ? 0.2919 : 1);
+    t.push(`${Re(i)} ${Ht.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var Oa = G(() => {
+var ja = G(() => {
   W.value;
   let e = [];
   for (let t of le.sent.slice(-24)) {
@@ -2746,8 +2758,8 @@ var Oa = G(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Il() {
-  let e = Te.value;
+function Kl() {
+  let e = $e.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
@@ -2763,20 +2775,20 @@ function Il() {
       return `finished${t}`;
   }
 }
-function Na() {
-  let e = Te.value, t = W.value?.head, n = On.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Ua() {
+  let e = $e.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return s("footer", { class: "status", "aria-label": "Status", children: [
     s("span", { class: `quality ${e?.stage ?? ""}`, children: [
       s("i", { class: "thin", "aria-hidden": "true", children: s("b", { style: { width: `${o * 100}%` } }) }),
-      Il()
+      Kl()
     ] }),
     s("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    s("span", { children: U.value === "open" ? `${B(It.value)} fps` : "no line" }),
-    Oa.value !== null && s("span", { title: "From the hand to the paint, median", children: [
-      B(Oa.value),
+    s("span", { children: U.value === "open" ? `${B(At.value)} fps` : "no line" }),
+    ja.value !== null && s("span", { title: "From the hand to the paint, median", children: [
+      B(ja.value),
       " ms"
     ] }),
     t && s("span", { children: [
@@ -2785,34 +2797,34 @@ function Na() {
       t.height
     ] }),
     s("span", { class: "wide", children: [
-      On.value.length,
+      on.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    s("span", { class: "probe", "aria-live": "off", children: Ka(Co.value) }),
+    s("span", { class: "probe", "aria-live": "off", children: qa(Eo.value) }),
     s("span", { class: "gap" }),
     s("span", { children: te.value.you ? "editing: you" : `editing: ${te.value.name ?? "somebody else"}` }),
     s("span", { class: "spoken", children: [
-      Qo.value ?? "",
+      Jo.value ?? "",
       " ",
-      Ut.value
+      Bt.value
     ] })
   ] });
 }
 
 // src/pointer.ts
-var Al = 4, Fa = 35e-4, Rl = 0.15;
-function Hl(e, t, n) {
+var Dl = 4, Wa = 35e-4, Nl = 0.15;
+function Fl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function ja(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
+function Ba(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Nt(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
   }, p = (h, v, $) => {
-    let P = Kt(h, v);
-    P && Me("point", P, (V) => {
-      let I = V;
+    let P = Dt(h, v);
+    P && Ce("point", P, (L) => {
+      let I = L;
       I.hit && $?.(I);
     });
   }, m = (h) => {
@@ -2822,7 +2834,7 @@ function ja(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = c(h), P = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Hl(Xn.peek(), h.button, V);
+    let [v, $] = c(h), P = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Fl(Zn.peek(), h.button, L);
     I === "look" && ie()?.height && (I = "pan"), K.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2834,8 +2846,8 @@ function ja(e, t) {
       motion: I,
       touch: P,
       shift: h.shiftKey,
-      ctrl: V.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Ot(), r = m(o), p(v, $, (H) => {
+      ctrl: L.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Nt(), r = m(o), p(v, $, (H) => {
       o = H.point, r = m(H.point);
     })), clearTimeout(l), P && n.size === 1 && (l = window.setTimeout(() => {
       let H = n.get(h.pointerId);
@@ -2853,11 +2865,11 @@ function ja(e, t) {
       t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, P), 150);
       return;
     }
-    let [V, I] = [$ - v.x, P - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, P - v.startY) < Al)) {
+    let [L, I] = [$ - v.x, P - v.y];
+    if (!(!v.moved && Math.hypot($ - v.startX, P - v.startY) < Dl)) {
       if (v.moved = !0, v.x = $, v.y = P, n.size === 2 && u) {
         let H = _();
-        Nt(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
+        Ft(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
         return;
       }
       if (K.peek() === "marquee" && v.button === 0) {
@@ -2867,14 +2879,14 @@ function ja(e, t) {
       switch (v.motion) {
         case "look": {
           let H = v.touch ? 1 : -1;
-          Zn(H * V * Fa, H * I * Fa);
+          oo(H * L * Wa, H * I * Wa);
           break;
         }
         case "orbit":
-          eo(o, -V * 6e-3, -I * 6e-3);
+          ro(o, -L * 6e-3, -I * 6e-3);
           break;
         case "pan":
-          Nt(V, I, r);
+          Ft(L, I, r);
           break;
         case "dolly":
           b(v.startX, v.startY, Math.exp(I * 6e-3), !1);
@@ -2905,64 +2917,64 @@ function ja(e, t) {
   }
   let y = null;
   function b(h, v, $, P) {
-    let V = ie(), I = mt();
-    if (!V || !I) return;
-    if (V.height) return J(zn(V, I, h, v, $));
+    let L = ie(), I = mt();
+    if (!L || !I) return;
+    if (L.height) return J(Qn(L, I, h, v, $));
     let H = performance.now();
     if (!y || H - y.time > 500 || Math.hypot(h - y.x, v - y.y) > 6) {
       y = { x: h, y: v, time: H, point: null };
       let yt = y;
-      p(h, v, (Hr) => {
-        yt.point = Hr.point, r = m(Hr.point);
+      p(h, v, (jr) => {
+        yt.point = jr.point, r = m(jr.point);
       });
     }
     y.time = H;
-    let [Ja, Za] = [h - I.width / 2, I.height / 2 - v], es = Math.min(r, Ve(V.eye, Ot()) + 1), To = (yt) => V.eye[yt] + (I.forward[yt] + I.side[yt] * Ja * I.pixel + I.up[yt] * Za * I.pixel) * es, ts = y.point ?? [To(0), To(1), To(2)];
-    J(Bn(V, ts, $, Rl, P));
+    let [ns, os] = [h - I.width / 2, I.height / 2 - v], rs = Math.min(r, Le(L.eye, Nt()) + 1), $o = (yt) => L.eye[yt] + (I.forward[yt] + I.side[yt] * ns * I.pixel + I.up[yt] * os * I.pixel) * rs, is = y.point ?? [$o(0), $o(1), $o(2)];
+    J(Yn(L, is, $, Nl, P));
   }
   function R(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [V, I] = c(h);
-    if (Xn.peek() === "trackpad" && !h.ctrlKey) return Nt(-$, -P, r);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [L, I] = c(h);
+    if (Zn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -P, r);
     let H = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs($) ? P : $);
-    b(V, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    b(L, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let L = (h) => h.preventDefault(), qe = () => {
+  let V = (h) => h.preventDefault(), je = () => {
     clearTimeout(a), t.unhover();
   }, Ue = (h) => {
     !h.target.closest("[data-handle]") && K.peek() === null && t.double();
-  }, ke = (h) => {
+  }, xe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
   }, ve = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    ye.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    we.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", qe), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", L), e.addEventListener("dblclick", Ue), addEventListener("keydown", ke), addEventListener("keyup", ke), () => {
-    ve.disconnect(), removeEventListener("keydown", ke), removeEventListener("keyup", ke);
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", je), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ue), addEventListener("keydown", xe), addEventListener("keyup", xe), () => {
+    ve.disconnect(), removeEventListener("keydown", xe), removeEventListener("keyup", xe);
   };
 }
 
 // src/overlay.ts
-var Dl = "http://www.w3.org/2000/svg";
-function we(e, t = {}, n) {
-  let o = document.createElementNS(Dl, e);
+var ql = "http://www.w3.org/2000/svg";
+function ke(e, t = {}, n) {
+  let o = document.createElementNS(ql, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Ar = class {
+var Fr = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = pn(t.width, t.height);
+    this.view = t, this.fit = mn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = un(this.view, t);
+    let [n, o, r] = fn(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = un(this.view, t), [, , r] = un(this.view, n), i = 0.05, [a, l] = [t, n];
+    let [, , o] = fn(this.view, t), [, , r] = fn(this.view, n), i = 0.05, [a, l] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
       let c = (i - o) / (r - o), p = M(x(t, 1 - c), x(n, c));
@@ -2972,23 +2984,23 @@ var Ar = class {
     return !d || !u ? "" : `M${d[0].toFixed(1)} ${d[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
   }
 };
-function Rr() {
+function qr() {
   let e = W.value;
-  return ye.value, e ? new Ar(Vt(e.camera, e.head.width, e.head.height)) : null;
+  return we.value, e ? new Fr(Vt(e.camera, e.head.width, e.head.height)) : null;
 }
-function qa() {
-  let e = se(Rr);
+function za() {
+  let e = se(qr);
   return e ? w.all().flatMap(([t, n]) => {
-    let o = Ua(n), r = o && e.at(o);
+    let o = Ga(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ua = no, Kl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Ir(e, t) {
-  let n = ln(t);
-  return Kl.map(([o, r]) => e.line(n[o], n[r])).join("");
+var Ga = ao, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Nr(e, t) {
+  let n = cn(t);
+  return jl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var xn = class {
+var Tn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -3004,9 +3016,9 @@ var xn = class {
       n.add(o);
       let l = this.marks.get(o);
       if (!l) {
-        let d = we("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        let d = ke("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(d);
-        let u = we("text", { x: 10, y: 4 }, d);
+        let u = ke("text", { x: 10, y: 4 }, d);
         l = { group: d, label: u }, this.marks.set(o, l);
       }
       if (!r) {
@@ -3019,43 +3031,43 @@ var xn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Wa(e) {
-  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new xn(we("g", {}, e), "lamp", (c) => we("circle", { r: 4.5 }, c)), a = new xn(we("g", {}, e), "grid", () => {
-  }), l = new xn(we("g", {}, e), "meter", (c) => {
-    we("circle", { r: 5.5 }, c), we("path", { d: "M-9 0H9M0 -9V9" }, c);
+function Xa(e) {
+  let t = ke("path", { class: "aims" }, e), n = ke("path", { class: "boxes" }, e), o = ke("path", { class: "boxes hover" }, e), r = ke("path", { class: "grid-lines" }, e), i = new Tn(ke("g", {}, e), "lamp", (c) => ke("circle", { r: 4.5 }, c)), a = new Tn(ke("g", {}, e), "grid", () => {
+  }), l = new Tn(ke("g", {}, e), "meter", (c) => {
+    ke("circle", { r: 5.5 }, c), ke("path", { d: "M-9 0H9M0 -9V9" }, c);
   }), d = T(() => {
-    let c = Rr();
+    let c = qr();
     if (!c) return;
     let p = E.value, m = ne.value, f = "", _ = "", k = w.all().map(([y, b]) => {
-      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), L = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, qe = Ua(b), Ue = b.place?.position;
-      if (R && b.box && (_ += Ir(c, b.box)), Ue && b.place?.direction && (R || L)) {
+      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), V = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, je = Ga(b), Ue = b.place?.position;
+      if (R && b.box && (_ += Nr(c, b.box)), Ue && b.place?.direction && (R || V)) {
         let h = b.place.aim ?? M(Ue, b.place.direction);
         f += c.line(Ue, h);
       }
-      let ke = R || L || ar.value && (b.own || b.place?.position), ve = `${R ? "selected" : ""} ${L ? "under" : ""} ${Se(b) ? "" : "off"}`;
-      return { id: y, at: qe && ke ? c.at(qe) : null, label: R || L ? b.name : "", state: ve };
+      let xe = R || V || ur.value && (b.own || b.place?.position), ve = `${R ? "selected" : ""} ${V ? "under" : ""} ${be(b) ? "" : "off"}`;
+      return { id: y, at: je && xe ? c.at(je) : null, label: R || V ? b.name : "", state: ve };
     });
     if (i.draw(k), t.setAttribute("d", f), p?.kind === "thing")
       for (let y of p.ids) {
         let b = ge.get(y)?.box;
-        b && (_ += Ir(c, b));
+        b && (_ += Nr(c, b));
       }
     n.setAttribute("d", _);
     let S = m?.kind === "lamp" ? w.get(m.id)?.box : m?.kind === "thing" ? ge.get(m.id)?.box : null;
-    o.setAttribute("d", S ? Ir(c, S) : "");
+    o.setAttribute("d", S ? Nr(c, S) : "");
   }), u = T(() => {
-    let c = Rr();
+    let c = qr();
     if (!c) return;
     let p = E.value, m = (_, k) => p?.kind === _ && p.ids.includes(k) ? "selected" : "";
-    l.draw(He.all().map(([_, k]) => ({
+    l.draw(Ke.all().map(([_, k]) => ({
       id: _,
       at: c.at(k.point),
       label: k.lux ? vt(k.lux[0]) : "…",
       state: m("meter", _)
     })));
     let f = "";
-    a.draw(it.all().map(([_, k]) => {
-      f += Ol(c, k);
+    a.draw(at.all().map(([_, k]) => {
+      f += Ul(c, k);
       let S = k.mean === null ? "…" : `${k.name} ${vt(k.mean)}`;
       return { id: _, at: c.at(k.corner), label: S, state: m("grid", _) };
     })), r.setAttribute("d", f);
@@ -3064,7 +3076,7 @@ function Wa(e) {
     d(), u(), e.replaceChildren();
   };
 }
-function Ol(e, t) {
+function Ul(e, t) {
   let n = (r, i) => M(t.corner, M(x(t.u, r), x(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
@@ -3078,20 +3090,20 @@ function Ol(e, t) {
 function de({ tone: e, children: t }) {
   return s("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ba = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Nl() {
-  let e = w.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+var Ya = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Wl() {
+  let e = w.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = O.all().filter(([, n]) => !n.on || n.level === 0);
   ce("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Fl() {
-  switch (Ut.value) {
+function Bl() {
+  switch (Bt.value) {
     case "starting":
       return s(de, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = Lr.value;
+      let e = Dr.value;
       return s(de, { tone: "calm", children: [
         "Reading ",
         e?.file ?? ee.value?.file ?? "the scene",
@@ -3103,15 +3115,15 @@ function Fl() {
     case "lost":
       return s(de, { tone: "warn", children: [
         "Connection lost, trying again",
-        rn.value ? ` (${rn.value} s)` : "…",
+        sn.value ? ` (${sn.value} s)` : "…",
         ". Until then nothing can be changed."
       ] });
     case "ended":
       return s(de, { tone: "warn", children: [
         "The program has ended. Start it again with ",
-        s("code", { children: Ba() }),
+        s("code", { children: Ya() }),
         s("button", { onClick: () => {
-          _r(Ba());
+          xr(Ya());
         }, children: "Copy" }),
         " and this page comes back by itself."
       ] });
@@ -3125,19 +3137,19 @@ function Fl() {
     case "unsaved":
       return s(de, { tone: "warn", children: [
         "Edits are not being saved: ",
-        st.value.why ?? "unknown reason",
+        lt.value.why ?? "unknown reason",
         ".",
         s("button", { onClick: () => ht.value = "save", children: "Save elsewhere" })
       ] });
     case "broken":
       return s(de, { tone: "warn", children: [
-        wn.value,
+        Cn.value,
         " Still showing what was read before."
       ] });
     case "control-lost":
       return s(de, { tone: "warn", children: [
         "Control moved to ",
-        s("em", { children: kn.value }),
+        s("em", { children: En.value }),
         ". ",
         s("button", { onClick: () => N({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
@@ -3159,7 +3171,7 @@ function Fl() {
           "button",
           {
             onClick: () => {
-              to.value = "disc", hr("add");
+              io.value = "disc", br("add");
             },
             children: "ceiling lamp"
           }
@@ -3169,86 +3181,86 @@ function Fl() {
     case "all-off":
       return s(de, { tone: "warn", children: [
         "All lamps are off.",
-        at.value.undo && s("button", { onClick: () => Z("undo"), children: "Undo" }),
-        s("button", { onClick: Nl, children: "Turn on" })
+        st.value.undo && s("button", { onClick: () => Z("undo"), children: "Undo" }),
+        s("button", { onClick: Wl, children: "Turn on" })
       ] });
     case "slow":
       return s(de, { tone: "calm", children: [
         "Slow connection.",
-        s("button", { "aria-pressed": Xe.value, onClick: () => Xe.value = !0, children: "Sharper" }),
-        s("button", { "aria-pressed": !Xe.value, onClick: () => Xe.value = !1, children: "Faster" })
+        s("button", { "aria-pressed": Ye.value, onClick: () => Ye.value = !0, children: "Sharper" }),
+        s("button", { "aria-pressed": !Ye.value, onClick: () => Ye.value = !1, children: "Faster" })
       ] });
     default:
       return null;
   }
 }
-function za() {
-  let e = xe.value;
+function Qa() {
+  let e = Se.value;
   return s("div", { class: "banners", "data-scroll": !0, children: [
-    Fl(),
-    et.value.length > 0 && s(de, { tone: "calm", children: [
+    Bl(),
+    tt.value.length > 0 && s(de, { tone: "calm", children: [
       s("details", { children: [
         s("summary", { children: [
-          et.value.length,
+          tt.value.length,
           " edits no longer find what they changed"
         ] }),
-        s("ul", { children: et.value.map((t) => s("li", { children: t }, t)) })
+        s("ul", { children: tt.value.map((t) => s("li", { children: t }, t)) })
       ] }),
-      s("button", { onClick: () => et.value = [], children: "Good" })
+      s("button", { onClick: () => tt.value = [], children: "Good" })
     ] }),
     e.length > 0 && s("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
       e.length === 1 ? w.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      s("button", { onClick: xr, children: "End solo" })
+      s("button", { onClick: Tr, children: "End solo" })
     ] }),
-    s("div", { class: "notes", role: "status", "aria-live": "polite", children: ut.value.map((t) => s("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    s("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => s("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      s("button", { class: "icon", "aria-label": "Close", onClick: () => zo(t.id), children: s(q, { name: "close" }) })
+      s("button", { class: "icon", "aria-label": "Close", onClick: () => Go(t.id), children: s(j, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var Xa = g(null);
-function jl(e, t) {
-  let n = qa();
+var Za = g(null);
+function zl(e, t) {
+  let n = za();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: l }) => l[0] >= o && l[0] <= r && l[1] >= i && l[1] <= a).map(({ id: l }) => l);
 }
-var ql = {
+var Gl = {
   click(e, t, n) {
-    let o = Ga(e, t);
-    if (K.peek() === null && o) return be(o.kind, o.id, n);
-    Eo(e, t, (r) => {
-      if (r && (Jn.value = { point: r.point, normal: r.normal }), K.peek() !== null) return ea(r);
-      Xi(r, n);
+    let o = Ja(e, t);
+    if (K.peek() === null && o) return _e(o.kind, o.id, n);
+    To(e, t, (r) => {
+      if (r && (no.value = { point: r.point, normal: r.normal }), K.peek() !== null) return aa(r);
+      ta(r, n);
     });
   },
   menu(e, t) {
-    Eo(e, t, (n) => {
-      n && co(e, t, n);
+    To(e, t, (n) => {
+      n && mo(e, t, n);
     });
   },
   double() {
-    dr();
+    vr();
   },
   hover(e, t) {
-    let n = Ga(e, t);
-    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), Eo(e, t, (o) => {
-      Co.value = o, o && (Jn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
+    let n = Ja(e, t);
+    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), To(e, t, (o) => {
+      Eo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
     ne.peek() && (ne.value = null);
   },
   marquee(e, t, n) {
-    if (Xa.value = n ? null : { from: e, to: t }, !n) return;
-    let o = jl(e, t);
+    if (Za.value = n ? null : { from: e, to: t }, !n) return;
+    let o = zl(e, t);
     E.value = o.length ? { kind: "lamp", ids: o } : null, K.value = null;
   }
 };
-function Ga(e, t) {
+function Ja(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3258,22 +3270,22 @@ function Ga(e, t) {
   }
   return o;
 }
-var Ul = {
+var Xl = {
   aim: "Click what shall be lit. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
   grid: "Click two opposite corners of the area. Esc to leave.",
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function Ya() {
+function es() {
   let e = oe(null), t = oe(null), n = oe(null);
-  return Ce(() => {
-    tr(t.current);
-    let o = Wa(n.current), r = ja(e.current, ql);
+  return Ee(() => {
+    or(t.current);
+    let o = Xa(n.current), r = Ba(e.current, Gl);
     return () => {
-      tr(null), o(), r();
+      or(null), o(), r();
     };
-  }, []), gi(() => {
+  }, []), Si(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), s("main", { class: "view", "aria-label": "View", children: [
@@ -3285,7 +3297,7 @@ function Ya() {
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Dt.value ? `, ${Dt.value}` : ""}`,
+        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
         "aria-describedby": "view-keys",
         "data-tool": K.value ?? "",
         children: [
@@ -3293,13 +3305,13 @@ function Ya() {
           s("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           s(ae, { part: "Gizmo" }),
           s(ae, { part: "Compare" }),
-          s(Wl, {})
+          s(Yl, {})
         ]
       }
     ),
     s("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    K.value && s("p", { class: "hint", role: "status", children: Ul[K.value] }),
-    s(za, {}),
+    K.value && s("p", { class: "hint", role: "status", children: Xl[K.value] }),
+    s(Qa, {}),
     s(ae, { part: "Legend" }),
     s(ae, { part: "CutBar" }),
     s(ae, { part: "ViewStrip" }),
@@ -3307,8 +3319,8 @@ function Ya() {
     s(ae, { part: "What" })
   ] });
 }
-function Wl() {
-  let e = Xa.value;
+function Yl() {
+  let e = Za.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return s("svg", { class: "rubber", "aria-hidden": "true", children: s(
@@ -3323,156 +3335,184 @@ function Wl() {
 }
 
 // src/main.tsx
-function Bl() {
+function Ql() {
   return s(X, { children: [
-    s(ma, {}),
-    s(Da, {}),
-    s(Ya, {}),
+    s(_a, {}),
+    s(Fa, {}),
+    s(es, {}),
     s("section", { class: "panel inspector", "aria-label": "Inspector", children: s(ae, { part: "Inspector" }) }),
     s("section", { class: "strip", "aria-label": "Looks and meters", children: s(ae, { part: "Strip" }) }),
-    s(Na, {}),
+    s(Ua, {}),
     s(ae, { part: "Sheets" })
   ] });
 }
 var _t = document.getElementById("desk");
 _t.replaceChildren();
-Xr(s(Bl, {}), _t);
+ni(s(Ql, {}), _t);
 T(() => {
-  _t.dataset.state = Ut.value, _t.dataset.line = U.value, _t.dataset.pen = me.value === "edit" && te.value.you && !Ie.value ? "yes" : "no";
+  _t.dataset.state = Bt.value, _t.dataset.line = U.value, _t.dataset.pen = me.value === "edit" && te.value.you && !Ie.value ? "yes" : "no";
 });
 T(() => {
-  _t.dataset.panels = ir.value ? "yes" : "no", _t.dataset.drawer = Je.value ?? "none";
+  _t.dataset.panels = sr.value ? "yes" : "no", _t.dataset.drawer = Ze.value ?? "none";
 });
 T(() => {
-  document.documentElement.dataset.theme = nr.value, document.documentElement.style.setProperty("--house", String(or.value));
+  document.documentElement.dataset.theme = rr.value, document.documentElement.style.setProperty("--house", String(ir.value));
 });
 T(() => {
   ee.value && (document.title = `${ee.value.name} – Lampyris`);
 });
-var Qa = 0;
+var ts = 0;
 T(() => {
-  let [e, t] = ye.value, n = Xe.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value === "open" && (clearTimeout(Qa), Qa = window.setTimeout(() => N({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  let [e, t] = we.value, n = Ye.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value === "open" && (clearTimeout(ts), ts = window.setTimeout(() => N({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ua();
-Sa();
-$i();
+ma();
+Pa();
+Hi();
 export {
+  xn as Fade,
   gt as Field,
   X as Fragment,
-  Ke as Gesture,
-  q as Icon,
-  wr as Item,
-  Ps as PRESETS,
-  Pr as Range,
-  ft as across,
+  Ne as Gesture,
+  j as Icon,
+  Cr as Item,
+  Rs as PRESETS,
+  Hr as Range,
+  Or as Virtual,
+  pt as across,
   Z as act,
   M as add,
-  na as addMeter,
-  to as adding,
-  ta as aim,
-  Me as ask,
-  js as back,
-  gn as before,
-  Rt as candles,
+  la as addMeter,
+  io as adding,
+  sa as aim,
+  pl as allActions,
+  Ce as ask,
+  Bs as back,
+  bn as before,
+  Ht as candles,
   re as chosenLamps,
-  xr as clearSolo,
-  fo as closeWhat,
-  ro as command,
-  bn as compareHeld,
+  Tr as clearSolo,
+  ho as closeWhat,
+  lo as command,
+  _n as compareHeld,
   he as comparing,
+  zi as compass,
   G as computed,
-  Zs as copyAlong,
-  _r as copyText,
+  nl as copyAlong,
+  xr as copyText,
   fe as cross,
-  Gs as cut,
-  Qn as deselect,
+  Mn as css,
+  Js as cut,
+  to as deselect,
   B as digits,
-  lt as display,
-  Ve as distance,
+  ut as display,
+  Le as distance,
   F as dot,
-  ol as each,
+  al as each,
   ce as edit,
   te as editor,
   T as effect,
-  io as exposeBy,
-  sr as fade,
-  il as falseColor,
-  Xe as fine,
-  pn as fitted,
-  qs as forth,
-  dr as frameSelection,
+  uo as exposeBy,
+  cr as fade,
+  ll as falseColor,
+  Es as filterOf,
+  Ye as fine,
+  mn as fitted,
+  yn as format,
+  zs as forth,
+  vr as frameSelection,
+  Il as fromHex,
   J as go,
-  mr as goHome,
-  zs as goInside,
-  Bs as goPreset,
-  it as grids,
-  Os as handles,
-  Xn as hands,
+  gr as goHome,
+  Qs as goInside,
+  Ys as goPreset,
+  at as grids,
+  O as groups,
+  js as handles,
+  Zn as hands,
+  Me as hear,
   ie as here,
-  uo as highlight,
-  at as history,
-  or as houseLights,
+  Va as hex,
+  po as highlight,
+  st as history,
+  ir as houseLights,
   ne as hovered,
   s as jsx,
   s as jsxs,
-  ar as lampMarks,
+  ur as lampMarks,
   w as lamps,
-  Oe as length,
-  At as listing,
+  on as layers,
+  Fe as length,
+  Rt as listing,
   Ie as lookOnly,
-  Ct as looks,
+  Et as looks,
   vt as luxText,
-  Ds as maintenance,
-  He as meters,
-  Gi as nameOf,
-  j as normal,
-  Ml as padWalk,
-  ir as panels,
+  Fs as maintenance,
+  Mt as materials,
+  Ke as meters,
+  Ge as middle,
+  Al as mired,
+  ea as nameOf,
+  q as normal,
+  be as output,
+  Tl as padWalk,
+  sr as panels,
+  He as percent,
   Vt as pinhole,
-  tl as placed,
-  no as positionOf,
-  nl as positions,
-  un as project,
-  $s as ray,
-  ll as register,
-  el as removeLamps,
+  rl as placed,
+  ao as positionOf,
+  il as positions,
+  fn as project,
+  As as ray,
+  fl as register,
+  ol as removeLamps,
   me as role,
   Q as say,
   x as scale,
   ee as scene,
-  be as select,
+  _e as select,
   E as selection,
   N as send,
-  Xs as setCut,
+  Zs as setCut,
   ht as sheet,
-  Pt as show,
+  Lt as show,
   W as shown,
   g as signal,
-  hl as soloSelection,
-  Jn as spot,
-  hr as startTool,
-  Te as status,
-  Ns as stepSelection,
-  sl as storeLook,
-  al as storeView,
+  lr as singleKeys,
+  _l as soloSelection,
+  ua as spacing,
+  no as spot,
+  br as startTool,
+  $e as status,
+  Us as stepSelection,
+  cl as storeLook,
+  ul as storeView,
+  Zo as stroke,
+  _o as strokeLevel,
   A as sub,
-  nr as theme,
+  rr as theme,
   ge as things,
-  Ae as three,
-  Ye as titleOf,
-  br as toggleFalse,
-  fl as toggleWipe,
+  Re as three,
+  Qe as titleOf,
+  Ar as toLevel,
+  Ir as toTravel,
+  kr as toggleFalse,
+  hl as toggleWipe,
   K as tool,
-  Yn as travel,
-  sn as turn,
-  Ce as useEffect,
+  eo as travel,
+  un as turn,
+  Sn as typeLevel,
+  Ae as up,
+  Ee as useEffect,
   oe as useRef,
-  Dt as viewName,
-  ye as viewSize,
-  Mt as views,
-  rr as walking,
-  Ze as what,
-  qn as whyNot,
-  ul as wipeAt
+  Kt as viewName,
+  we as viewSize,
+  Ct as views,
+  Ta as walkNames,
+  ar as walking,
+  wr as wantLevel,
+  et as what,
+  zn as whyNot,
+  Sr as whyNotTo,
+  dl as wipeAt
 };

@@ -62,44 +62,48 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
             <button class="icon power" aria-pressed={entry.on} aria-label={`${entry.name} on`} title={entry.on ? 'On (O)' : 'Off (O)'} onClick={() => switchOn(strip, !entry.on)}>
                 <Icon name="power" />
             </button>
-            {group && (
-                <button class="icon fold" aria-expanded={!folded.value.has(row.id)} aria-label={`Members of ${entry.name}`} onClick={() => fold(row.id)}>
-                    <Icon name={folded.value.has(row.id) ? 'right' : 'down'} />
+            <div class="top">
+                {group && (
+                    <button class="icon fold" aria-expanded={!folded.value.has(row.id)} aria-label={`Members of ${entry.name}`} onClick={() => fold(row.id)}>
+                        <Icon name={folded.value.has(row.id) ? 'right' : 'down'} />
+                    </button>
+                )}
+                <button class="row-name" aria-pressed={selected} title={lamp ? `${lamp.name}: ${cost(lamp)}` : entry.name} onClick={(e) => pickRow(e, row.kind, row.id)}>
+                    <span>{entry.name}</span>
+                    {group && <small>{members.length}</small>}
+                    {lamp?.parked && <small>parked</small>}
+                    {lamp && !lamp.free && <small class="traced" title={cost(lamp)}>↻<span class="spoken">re-trace</span></small>}
                 </button>
-            )}
-            <button class="row-name" aria-pressed={selected} title={lamp ? `${lamp.name}: ${cost(lamp)}` : entry.name} onClick={(e) => pickRow(e, row.kind, row.id)}>
-                <span>{entry.name}</span>
-                {group && <small>{members.length}</small>}
-                {lamp?.parked && <small>parked</small>}
-                {lamp && !lamp.free && <small class="traced" title={cost(lamp)}>↻<span class="spoken">re-trace</span></small>}
-            </button>
-            {lamp && <span class="tint"><i class="swatch" style={{ background: css(lamp.swatch) }} />{colorText(lamp)}</span>}
-            <button class="icon solo" aria-pressed={alone} aria-label={`Solo ${entry.name}`} title="Solo (I)" onClick={() => soloLamps(members)}>
-                <Icon name="solo" />
-            </button>
-            <Range
-                label={`${entry.name} level`}
-                class="level"
-                value={toTravel(entry.level)}
-                text={`${percent(entry.level)} %, ${three(lumens)} lumen`}
-                notch={0.01}
-                on={(t) => {
-                    const level = toLevel(t);
-                    if (fade.current) fade.current.to(level);
-                    else strokeLevel(strip, level);
-                }}
-                reset={() => strokeLevel(strip, 1)}
-                {...drag}
-            />
-            <Field
-                label={`${entry.name} level, typed`}
-                quantity="level"
-                value={entry.level}
-                flux={flux}
-                step={0.01}
-                set={(apply) => (lamp ? typeLevel(selected && chosenLamps.peek().length > 1 ? chosenLamps.peek() : [row.id], apply) : typeGroupLevel(row.id, apply))}
-            />
-            <span class="lumens">{format(lumens, 'flux')}</span>
+                {lamp && <span class="tint"><i class="swatch" style={{ background: css(lamp.swatch) }} />{colorText(lamp)}</span>}
+                <button class="icon solo" aria-pressed={alone} aria-label={`Solo ${entry.name}`} title="Solo (I)" onClick={() => soloLamps(members)}>
+                    <Icon name="solo" />
+                </button>
+            </div>
+            <div class="bottom">
+                <Range
+                    label={`${entry.name} level`}
+                    class="level"
+                    value={toTravel(entry.level)}
+                    text={`${percent(entry.level)} %, ${three(lumens)} lumen`}
+                    notch={0.01}
+                    on={(t) => {
+                        const level = toLevel(t);
+                        if (fade.current) fade.current.to(level);
+                        else strokeLevel(strip, level);
+                    }}
+                    reset={() => strokeLevel(strip, 1)}
+                    {...drag}
+                />
+                <Field
+                    label={`${entry.name} level, typed`}
+                    quantity="level"
+                    value={entry.level}
+                    flux={flux}
+                    step={0.01}
+                    set={(apply) => (lamp ? typeLevel(selected && chosenLamps.peek().length > 1 ? chosenLamps.peek() : [row.id], apply) : typeGroupLevel(row.id, apply))}
+                />
+                <span class="lumens">{format(lumens, 'flux')}</span>
+            </div>
         </div>
     );
 }

@@ -19,6 +19,8 @@ export interface RangeProps {
     disabled?: boolean;
     class?: string;
     vertical?: boolean;
+    /** Colours of the groove. */
+    gradient?: string;
     id?: string;
 }
 
@@ -97,7 +99,7 @@ export function Range(props: RangeProps) {
             disabled={props.disabled}
             aria-label={props.label}
             aria-valuetext={props.text}
-            style={{ '--t': clamp(props.value) }}
+            style={{ '--t': clamp(props.value), '--gradient': props.gradient ?? '' }}
             onPointerDown={down}
             onPointerMove={move}
             onPointerUp={up}

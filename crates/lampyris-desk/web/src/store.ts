@@ -209,3 +209,9 @@ export const dark = computed(() => {
     const all = lamps.all();
     return all.length > 0 && all.every(([, lamp]) => output(lamp) === 0);
 });
+
+/** Entries of a family that are called so. */
+export function filterOf<T extends { name: string }>(slice: Slice<T>, wanted: string): [Id, T][] {
+    const word = wanted.trim().toLowerCase();
+    return slice.all().filter(([, entry]) => !word || entry.name.toLowerCase().includes(word));
+}

@@ -107,7 +107,7 @@ export function Legend() {
             <End end="high" />
             <div class="scale" style={{ background: bar }}>
                 {ticks(f.low, f.high, f.scale).map((v) => (
-                    <span key={v} style={{ bottom: `${100 * place(v, f)}%` }}>{three(v * factor)}</span>
+                    <span key={v} style={{ bottom: `${100 * place(v, f)}%` }}>{String(Number((v * factor).toPrecision(2)))}</span>
                 ))}
             </div>
             <End end="low" />
