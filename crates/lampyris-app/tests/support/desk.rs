@@ -116,7 +116,8 @@ impl Client {
     pub(crate) fn say(&mut self, mut message: Value) -> u32 {
         self.seq += 1;
         message["seq"] = self.seq.into();
-        self.socket.send(Message::text(message.to_string())).unwrap();
+        // Who was hung up on hears so.
+        let _ = self.socket.send(Message::text(message.to_string()));
         self.seq
     }
 
