@@ -15,6 +15,7 @@ mod error;
 mod history;
 mod http;
 mod hub;
+mod meters;
 mod mixer;
 mod model;
 mod opening;

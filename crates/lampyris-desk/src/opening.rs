@@ -25,7 +25,9 @@ pub(crate) fn open(world: &World) -> Model {
     // In the order in which they first shone: what was added comes last, and keeps its number.
     let mut bonds: Vec<Bond> = Vec::new();
     let mut met = BTreeSet::new();
-    bonds.extend(scene.reference.shares.iter().map(|share| bond(share.source)).filter(|bond| met.insert(*bond)));
+    bonds.extend(
+        scene.reference.shares.iter().map(|share| bond(share.source)).filter(|bond| met.insert(*bond)),
+    );
     let names: Vec<String> = bonds.iter().map(|bond| name(scene, *bond)).collect();
     let mut groups: Vec<String> = Vec::new();
     let lamps = bonds.into_iter().zip(&names).zip(unique(&names));
