@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var C, Br, Vo, We, Po, Vn, zr, Pn, Gr, Io, Lo, as, Gt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ao = Array.isArray, Ro = An.slice, ot = Object.assign;
+var C, zr, Vo, We, Po, Vn, Gr, Pn, Xr, Io, Lo, as, Yt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ao = Array.isArray, Ro = An.slice, ot = Object.assign;
 function nt(e) {
   e && e.parentNode && e.remove();
 }
-function Xr(e, t, n) {
+function Yr(e, t, n) {
   var o, r, i, a = {}, l = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return l > 2 && (a.children = l > 3 ? Ro.call(arguments, 2) : n), zt(e, a, o, r, null);
+  return l > 2 && (a.children = l > 3 ? Ro.call(arguments, 2) : n), Xt(e, a, o, r, null);
 }
-function zt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Gt, __v: r || ++Br, __i: -1, __u: 0 };
+function Xt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Yt, __v: r || ++zr, __i: -1, __u: 0 };
   return !r && C.vnode && C.vnode(i), i;
 }
 function X(e) {
@@ -25,31 +25,31 @@ function Be(e, t) {
 }
 function ls(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = ot({ constructor: Gt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ho(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ti(r, t, i), n.__ = n.__e = null, t.__e != o && Yr(t));
+  a && ((t = ot({ constructor: Yt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ho(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
 }
-function Yr(e) {
+function Qr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), Yr(e);
+  }), Qr(e);
 }
-function Ur(e) {
-  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Po == C.debounceRendering || ((Po = C.debounceRendering) || queueMicrotask)(Qr);
+function Wr(e) {
+  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Po == C.debounceRendering || ((Po = C.debounceRendering) || queueMicrotask)(Jr);
 }
-function Qr() {
+function Jr() {
   try {
-    for (var e, t = 1; We.length; ) We.length > t && We.sort(zr), e = We.shift(), t = We.length, 8 & e.__g && ls(e);
+    for (var e, t = 1; We.length; ) We.length > t && We.sort(Gr), e = We.shift(), t = We.length, 8 & e.__g && ls(e);
   } finally {
-    (Vn = We.length) && (Po || queueMicrotask)(Qr);
+    (Vn = We.length) && (Po || queueMicrotask)(Jr);
   }
 }
-function Jr(e, t, n, o, r, i, a, l, d, u, c) {
+function Zr(e, t, n, o, r, i, a, l, d, u, c) {
   var p, m, f, _, k, S, y = o.__k || An, b = t.length;
-  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Ho(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Oo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = Zr(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
+  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Ho(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Oo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = ei(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
   return n.__e = k, d;
 }
 function us(e, t, n, o, r) {
   var i, a, l, d, u, c, p, m, f, _ = n.length, k = _, S = 0, y = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = zt(null, a) : Ao(a) ? a = b[i] = zt(X, { children: a }) : a.constructor === Gt && a.__b ? a = b[i] = zt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Xt(null, a) : Ao(a) ? a = b[i] = Xt(X, { children: a }) : a.constructor === Yt && a.__b ? a = b[i] = Xt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
   if (y) {
     for (c = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
       for (S = 0, m = c.length; S < m; ) c[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
@@ -60,11 +60,11 @@ function us(e, t, n, o, r) {
   if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Ko(l, l));
   return o;
 }
-function Zr(e, t, n, o) {
+function ei(e, t, n, o) {
   var r, i, a, l;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Zr(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ei(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Be(e)) && !t.parentNode && (t = null), a = e.__e, l = t; l && l.nodeType == 8; ) l = l.nextSibling;
@@ -80,17 +80,17 @@ function cs(e, t, n, o) {
   }
   return -1;
 }
-function Wr(e, t, n) {
+function Br(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function $n(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Wr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Wr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Br(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Br(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Lo[t] || (Lo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Io, i = t != (t = t.replace(Gr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Lo[t] || (Lo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Io, i = t != (t = t.replace(Xr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -112,8 +112,8 @@ function fs(e) {
   };
 }
 function Ho(e, t, n, o, r, i, a, l, d, u) {
-  var c, p, m, f, _, k, S, y, b, R, V, je, Ue, xe, ve, h, v, $, P = t.type;
-  if (t.constructor !== Gt) return null;
+  var c, p, m, f, _, k, S, y, b, R, V, je, Ue, Se, ge, h, v, $, P = t.type;
+  if (t.constructor !== Yt) return null;
   128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Ln(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
   e: if (typeof P == "function") {
     m = a.length;
@@ -133,28 +133,28 @@ function Ho(e, t, n, o, r, i, a, l, d, u) {
       do
         f.__g &= -9, je && je(t), c = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Ue < 25);
-      b && (An.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = ot({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), xe = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
+      b && (An.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = ot({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), Se = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
         L && Ko(L, L);
-      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Jr(e, Ao(xe) ? xe : [xe], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Zr(e, Ao(Se) ? Se : [Se], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (L) {
       if (a.length = m, t.__v = null, d || i) if (L && L.then) {
         if (t.__u |= 128 | d, i) {
           for (~(v = i.indexOf(l || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
+          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ge) {
             if ($ == h) break;
           } else {
             if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = Ln(ve = $));
+            $.data.startsWith("$s") && (h = Ln(ge = $));
           }
         }
-        if (!ve) {
+        if (!ge) {
           for (; l && l.nodeType == 8 && l.nextSibling; ) l = l.nextSibling;
-          ve = l;
+          ge = l;
         }
-        (c = Ln(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, l = c) : t.__e = l, l = l && l.nextSibling;
+        (c = Ln(ge = t.__c.__z || (t.__c.__z = ge))) ? (t.__e = ge, l = c) : t.__e = l, l = l && l.nextSibling;
       } else i && i.some(nt);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), L && L.then || ei(t), C.__e(L, t, n);
+      t.__k || (t.__k = n.__k || []), L && L.then || ti(t), C.__e(L, t, n);
     }
   } else l = t.__e = ps(n.__e, t, n, o, r, i, a, d, u, e);
   return (c = C.diffed) && c(t), l;
@@ -168,10 +168,10 @@ function Ln(e, t) {
     t && t.push(e);
   }
 }
-function ei(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ei));
+function ti(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ti));
 }
-function ti(e, t, n) {
+function ni(e, t, n) {
   for (var o = 0; o < n.length; ) Oo(n[o++], n[o++], n[o++]);
   C.__c && C.__c(t, e), e.some(function(r) {
     try {
@@ -199,7 +199,7 @@ function ps(e, t, n, o, r, i, a, l, d, u) {
     if (u = V == "template" && e.content || e, i = V == "textarea" && R.defaultValue != null ? null : i && Ro.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
     for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || $n(e, c, null, _, r);
     for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || $n(e, c, _, b[c], r);
-    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Jr(u, Ao(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
+    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Zr(u, Ao(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
   } else b === R || l && e.data == R || (e.data = R);
   return e;
 }
@@ -226,9 +226,9 @@ function Ko(e, t, n) {
 function ds(e, t, n) {
   return this.constructor(e, n);
 }
-function ni(e, t) {
+function oi(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = zt(X, { children: [e] }), r = [], i = [], Ho(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ro.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ti(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Xt(X, { children: [e] }), r = [], i = [], Ho(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ro.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
 }
 C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,27 +240,27 @@ C = { __e: function(e, t, n, o) {
     }
   }
   throw Vn = 0, e;
-} }, Br = 0, Vo = function(e) {
-  return e != null && e.constructor === Gt;
+} }, zr = 0, Vo = function(e) {
+  return e != null && e.constructor === Yt;
 }, wt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = ot({}, this.state)), typeof e == "function" && (e = e(ot({}, n), this.props)), e && (ot(n, e), this.__v && (t && this.__k.push(t), Ur(this)));
+  n && n != this.state || (n = this.__s = ot({}, this.state)), typeof e == "function" && (e = e(ot({}, n), this.props)), e && (ot(n, e), this.__v && (t && this.__k.push(t), Wr(this)));
 }, wt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Ur(this));
-}, wt.prototype.render = X, We = [], Vn = 0, zr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Wr(this));
+}, wt.prototype.render = X, We = [], Vn = 0, Gr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Pn = /* @__PURE__ */ Symbol(), Gr = /(PointerCapture)$|Capture$/i, Io = 0, Lo = {}, as = 0;
+}, Pn = /* @__PURE__ */ Symbol(), Xr = /(PointerCapture)$|Capture$/i, Io = 0, Lo = {}, as = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Rn, ue, Do, oi, ms = Object.is, No = 0, pi = [], Fo = [], z = C, ri = z.__b, ii = z.__r, ai = z.diffed, si = z.__c, li = z.unmount, ui = z.__;
-function di(e, t) {
+var Rn, ue, Do, ri, ms = Object.is, No = 0, di = [], Fo = [], z = C, ii = z.__b, ai = z.__r, si = z.diffed, li = z.__c, ui = z.unmount, ci = z.__;
+function mi(e, t) {
   z.__h && z.__h(ue, e, No || t), No = 0;
   var n = ue.__H || (ue.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function Ee(e, t) {
-  var n = di(Rn++, 3);
-  !z.__s && mi(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
+function $e(e, t) {
+  var n = mi(Rn++, 3);
+  !z.__s && hi(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
 }
 function oe(e) {
   return No = 5, Hn(function() {
@@ -268,21 +268,21 @@ function oe(e) {
   }, []);
 }
 function Hn(e, t) {
-  var n = di(Rn++, 7);
-  return mi(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+  var n = mi(Rn++, 7);
+  return hi(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
 function hs() {
   var e;
   do {
     for (; e = Fo.shift(); ) try {
-      Xt(e);
+      Qt(e);
     } catch (n) {
       z.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = pi.shift(); ) {
+    for (; e = di.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(Xt), t.__h.some(qo), t.__h = [];
+        t.__h.some(Qt), t.__h.some(qo), t.__h = [];
       } catch (n) {
         t.__h = [], z.__e(n, e.__v);
       }
@@ -290,25 +290,25 @@ function hs() {
   } while (Fo.length);
 }
 z.__b = function(e) {
-  ue = null, ri && ri(e);
+  ue = null, ii && ii(e);
 }, z.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ui && ui(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ci && ci(e, t);
 }, z.__r = function(e) {
-  ii && ii(e), Rn = 0;
+  ai && ai(e), Rn = 0;
   var t = (ue = e.__c).__H;
-  t && (Do == ue ? ue.__h = [] : (t.__h.some(Xt), t.__h.some(qo), Rn = 0), t.__h = [], t.__.some(function(n) {
+  t && (Do == ue ? ue.__h = [] : (t.__h.some(Qt), t.__h.some(qo), Rn = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Do = ue;
 }, z.diffed = function(e) {
-  ai && ai(e);
+  si && si(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && fi(pi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && pi(di.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Do = ue = null;
 }, z.__c = function(e, t) {
   t.some(function(n) {
     try {
-      n.__h.some(Xt), n.__h = n.__h.filter(function(o) {
+      n.__h.some(Qt), n.__h = n.__h.filter(function(o) {
         return !o.__ || qo(o);
       });
     } catch (o) {
@@ -316,9 +316,9 @@ z.__b = function(e) {
         throw o;
       }];
     }
-  }), si && si(e, t);
+  }), li && li(e, t);
 }, z.unmount = function(e) {
-  li && li(e);
+  ui && ui(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -327,24 +327,24 @@ z.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, fi(Fo.push(r));
-      } else Xt(r);
+        r.__P = n, pi(Fo.push(r));
+      } else Qt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && z.__e(t, o.__v));
 };
-var ci = typeof requestAnimationFrame == "function";
+var fi = typeof requestAnimationFrame == "function";
 function vs(e) {
   var t, n = function() {
-    clearTimeout(o), ci && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), fi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  ci && (t = requestAnimationFrame(n));
+  fi && (t = requestAnimationFrame(n));
 }
-function fi(e) {
-  e != 1 && oi == z.requestAnimationFrame || ((oi = z.requestAnimationFrame) || vs)(hs);
+function pi(e) {
+  e != 1 && ri == z.requestAnimationFrame || ((ri = z.requestAnimationFrame) || vs)(hs);
 }
-function Xt(e) {
+function Qt(e) {
   var t = ue, n = e.__c;
   typeof n == "function" && (e.__c = void 0, n()), ue = t;
 }
@@ -352,7 +352,7 @@ function qo(e) {
   var t = ue;
   e.__c = e.__(), ue = t;
 }
-function mi(e, t) {
+function hi(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
     return !ms(n, e[o]);
   });
@@ -372,11 +372,11 @@ function Nn() {
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
-    })(); Qt !== void 0; ) {
-      var n = Qt;
-      for (Qt = void 0, On++; n !== void 0; ) {
+    })(); Zt !== void 0; ) {
+      var n = Zt;
+      for (Zt = void 0, On++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && vi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && gi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -396,24 +396,24 @@ function Fn(e) {
     Nn();
   }
 }
-var Yt, D = void 0;
+var Jt, N = void 0;
 function se(e) {
-  var t = D, n = Yt;
-  D = void 0, Yt = void 0;
+  var t = N, n = Jt;
+  N = void 0, Jt = void 0;
   try {
     return e();
   } finally {
-    D = t, Yt = n;
+    N = t, Jt = n;
   }
 }
-var Qt = void 0, Oe = 0, On = 0, bs = 0, jo = 0, Kn = void 0, Dn = 0;
-function hi(e) {
-  if (D !== void 0) {
+var Zt = void 0, Oe = 0, On = 0, bs = 0, jo = 0, Kn = void 0, Dn = 0;
+function vi(e) {
+  if (N !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== D)
-      return t = { i: 0, S: e, p: D.s, n: void 0, t: D, e: void 0, x: void 0, r: t }, D.s !== void 0 && (D.s.n = t), D.s = t, e.n = t, 32 & D.f && e.S(t), t;
+    if (t === void 0 || t.t !== N)
+      return t = { i: 0, S: e, p: N.s, n: void 0, t: N, e: void 0, x: void 0, r: t }, N.s !== void 0 && (N.s.n = t), N.s = t, e.n = t, 32 & N.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = D.s, t.n = void 0, D.s.n = t, D.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = N.s, t.n = void 0, N.s.n = t, N.s = t), t;
   }
 }
 function Y(e, t) {
@@ -465,7 +465,7 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = hi(this);
+  var e = vi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
@@ -483,11 +483,11 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
 function g(e, t) {
   return new Y(e, t);
 }
-function vi(e) {
+function gi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function gi(e) {
+function bi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -496,7 +496,7 @@ function gi(e) {
     }
   }
 }
-function bi(e) {
+function yi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -510,17 +510,17 @@ rt.prototype = new Y();
 rt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === Dn)) return !0;
-  if (this.g = Dn, this.f |= 1, this.i > 0 && !vi(this))
+  if (this.g = Dn, this.f |= 1, this.i > 0 && !gi(this))
     return this.f &= -2, !0;
-  var e = D;
+  var e = N;
   try {
-    gi(this), D = this;
+    bi(this), N = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return D = e, bi(this), this.f &= -2, !0;
+  return N = e, yi(this), this.f &= -2, !0;
 };
 rt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -543,7 +543,7 @@ rt.prototype.N = function() {
 };
 Object.defineProperty(rt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = hi(this);
+  var e = vi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
@@ -554,14 +554,14 @@ function _i(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Oe++;
-    var n = D;
-    D = void 0;
+    var n = N;
+    N = void 0;
     try {
       t();
     } catch (o) {
       throw e.f &= -2, e.f |= 8, Uo(e), o;
     } finally {
-      D = n, Nn();
+      N = n, Nn();
     }
   }
 }
@@ -569,9 +569,9 @@ function Uo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
   e.x = void 0, e.s = void 0, _i(e);
 }
-function _s(e) {
-  if (D !== this) throw new Error("Out-of-order effect");
-  bi(this), D = e, this.f &= -2;
+function ys(e) {
+  if (N !== this) throw new Error("Out-of-order effect");
+  yi(this), N = e, this.f &= -2;
   try {
     8 & this.f && Uo(this);
   } finally {
@@ -579,7 +579,7 @@ function _s(e) {
   }
 }
 function kt(e, t) {
-  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Yt && Yt.push(this);
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Jt && Jt.push(this);
 }
 kt.prototype.c = function() {
   var e = this.S();
@@ -593,12 +593,12 @@ kt.prototype.c = function() {
 };
 kt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, _i(this), gi(this), Oe++;
-  var e = D;
-  return D = this, _s.bind(this, e);
+  this.f |= 1, this.f &= -9, _i(this), bi(this), Oe++;
+  var e = N;
+  return N = this, ys.bind(this, e);
 };
 kt.prototype.N = function() {
-  2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
+  2 & this.f || (this.f |= 2, this.u = Zt, Zt = this);
 };
 kt.prototype.d = function() {
   this.f |= 8, 1 & this.f || Uo(this);
@@ -618,7 +618,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Wo, Zt, qn, ys = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, yi = [], wi = [];
+var Wo, tn, qn, _s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
 T(function() {
   Wo = this.N;
 })();
@@ -626,14 +626,14 @@ function xt(e, t) {
   C[e] = t.bind(null, C[e] || function() {
   });
 }
-function Jt(e) {
+function en(e) {
   if (qn) {
     var t = qn;
     qn = void 0, t();
   }
   qn = e && e.S();
 }
-function ki(e) {
+function xi(e) {
   var t = this, n = e.data, o = it(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Hn(function() {
@@ -647,7 +647,7 @@ function ki(e) {
     }), c = G(function() {
       return !Array.isArray(u.value) && !Vo(u.value);
     }), p = T(function() {
-      if (this.N = xi, c.value) {
+      if (this.N = Si, c.value) {
         var f = u.value;
         l.__v && l.__v.__e && l.__v.__e.nodeType === 3 && (l.__v.__e.data = f);
       }
@@ -658,15 +658,15 @@ function ki(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-ki.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Xr(X, null).constructor }, type: { configurable: !0, value: ki }, props: { configurable: !0, get: function() {
+xi.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Yr(X, null).constructor }, type: { configurable: !0, value: xi }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
   } } };
 } }, __b: { configurable: !0, value: 1 } });
 xt("__b", function(e, t) {
-  if (Jt(), Zt = void 0, typeof t.type == "string") {
+  if (en(), tn = void 0, typeof t.type == "string") {
     var n, o = t.props;
     for (var r in o) if (r !== "children") {
       var i = o[r];
@@ -677,7 +677,7 @@ xt("__b", function(e, t) {
 });
 xt("__r", function(e, t) {
   if (e(t), t.type !== X) {
-    Jt();
+    en();
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
@@ -687,16 +687,16 @@ xt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        ys && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        _s && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
-    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), tn = o, en(n);
   }
 });
 xt("__e", function(e, t, n, o) {
-  Jt(), Zt = void 0, e(t, n, o);
+  en(), tn = void 0, e(t, n, o);
 });
 xt("diffed", function(e, t) {
-  Jt(), Zt = void 0;
+  en(), tn = void 0;
   var n;
   if (typeof t.type == "string" && (n = t.__e)) {
     var o = t.__np, r = t.props, i = n.U;
@@ -719,7 +719,7 @@ function ws(e, t, n, o) {
   return { o: function(a, l) {
     i.value = a, o = l;
   }, d: T(function() {
-    this.N = xi;
+    this.N = Si;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -784,25 +784,25 @@ var ks = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
 };
 function Ss() {
   Fn(function() {
-    for (var e; e = yi.shift(); ) Wo.call(e);
-  });
-}
-function Ms() {
-  yi.push(this) === 1 && (C.requestAnimationFrame || ks)(Ss);
-}
-function Cs() {
-  Fn(function() {
     for (var e; e = wi.shift(); ) Wo.call(e);
   });
 }
-function xi() {
-  wi.push(this) === 1 && (C.requestAnimationFrame || xs)(Cs);
+function Ms() {
+  wi.push(this) === 1 && (C.requestAnimationFrame || ks)(Ss);
 }
-function Si(e, t) {
+function Cs() {
+  Fn(function() {
+    for (var e; e = ki.shift(); ) Wo.call(e);
+  });
+}
+function Si() {
+  ki.push(this) === 1 && (C.requestAnimationFrame || xs)(Cs);
+}
+function Mi(e, t) {
   var n = oe(e);
   n.current = e;
-  var o = Zt;
-  Ee(function() {
+  var o = tn;
+  $e(function() {
     return T(function() {
       if (this.N = Ms, !(o && 8 & o.__$f)) return n.current();
     }, t);
@@ -811,13 +811,13 @@ function Si(e, t) {
 
 // src/store.ts
 var jn = /* @__PURE__ */ new Set(), St = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function nn(e, t) {
+function rn(e, t) {
   if (!St(e) || !St(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = nn(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = rn(n[o], r);
   return n;
 }
-var en = class {
+var nn = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -833,7 +833,7 @@ var en = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: nn(i, r), seq: n });
+      this.own.set(o, { value: rn(i, r), seq: n });
     }
     jn.add(this), this.show();
   }
@@ -860,7 +860,7 @@ var en = class {
     for (let [n, o] of this.own) t[n] = o.value;
     this.shown.value = { ...this.server, ...t };
   }
-}, Te = class {
+}, Pe = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
   entries = /* @__PURE__ */ new Map();
@@ -879,30 +879,30 @@ var en = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new en(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new nn(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new en(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new nn(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, w = new Te(), O = new Te(), ge = new Te(), Mt = new Te(), Ct = new Te(), Et = new Te(), Ke = new Te(), at = new Te(), tn = {
+}, w = new Pe(), O = new Pe(), be = new Pe(), Mt = new Pe(), Ct = new Pe(), Et = new Pe(), Ke = new Pe(), at = new Pe(), on = {
   lamps: w,
   groups: O,
-  things: ge,
+  things: be,
   materials: Mt,
   views: Ct,
   looks: Et,
   meters: Ke,
   grids: at
-}, ee = g(null), on = g([]), Se = g([]), st = g({ undo: null, redo: null, steps: 0 }), lt = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), $e = g(null), Un = new en({
+}, ee = g(null), an = g([]), Me = g([]), st = g({ undo: null, redo: null, steps: 0 }), lt = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), Le = g(null), Un = new nn({
   ev: null,
   metered: !1,
   tone: "filmic",
@@ -910,44 +910,44 @@ var en = class {
   false_color: null
 }), ut = Un.shown, Bo = {
   scene: ee,
-  layers: on,
-  solo: Se,
+  layers: an,
+  solo: Me,
   history: st,
   saved: lt,
   editor: te,
-  status: $e
+  status: Le
 };
-function Mi(e) {
+function Ci(e) {
   jn.clear();
-  for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(on)) n.whole(e[t]);
   for (let [t, n] of Object.entries(Bo)) t in e && (n.value = e[t]);
   St(e.display) && Un.receive(e.display);
 }
-function Ci(e, t) {
+function Ei(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in tn ? tn[n].patch(o) : n === "display" ? Un.receive(o) : n in Bo && (Bo[n].value = o);
+    n in on ? on[n].patch(o) : n === "display" ? Un.receive(o) : n in Bo && (Bo[n].value = o);
   Tt(t);
 }
 function Tt(e) {
   for (let t of [...jn]) t.release(e);
 }
-function Ei(e, t) {
+function Ti(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in tn && St(o))
+    if (n in on && St(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = tn[n].entry(Number(r));
+        let a = on[n].entry(Number(r));
         a && St(i) && t(a, i);
       }
     else n === "display" && St(o) && t(Un, o);
 }
-var zo = (e, t) => Ei(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ei(e, (n, o) => n.settle(o, t));
-function be(e) {
+var zo = (e, t) => Ti(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ti(e, (n, o) => n.settle(o, t));
+function ye(e) {
   let t = O.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-var Ti = G(() => {
+var $i = G(() => {
   let e = w.all();
-  return e.length > 0 && e.every(([, t]) => be(t) === 0);
+  return e.length > 0 && e.every(([, t]) => ye(t) === 0);
 });
 function Es(e, t) {
   let n = t.trim().toLowerCase();
@@ -973,13 +973,13 @@ var le = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, $i = 0;
+}, Pi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => $i = t.timeStamp, { capture: !0, passive: !0 });
-function Pi(e, t) {
-  le.sent.push({ seq: e, what: t, at: performance.now(), input: $i }), le.sent.length > 1024 && le.sent.shift();
+  addEventListener(e, (t) => Pi = t.timeStamp, { capture: !0, passive: !0 });
+function Li(e, t) {
+  le.sent.push({ seq: e, what: t, at: performance.now(), input: Pi }), le.sent.length > 1024 && le.sent.shift();
 }
-function Li(e) {
+function Vi(e) {
   le.frame = e.frame, le.seqApplied = e.seq, le.firstDrawn ||= e.drawn, le.frames.push(e), le.frames.length > 1024 && le.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -990,22 +990,22 @@ function Li(e) {
 window.__desk = le;
 
 // src/wire.ts
-var U = g("entering"), sn = g(0), me = g("edit"), Jo = g(null), De = g(0), Vi = () => null, Ii = (e) => {
-  Vi = e;
-}, Yo = /* @__PURE__ */ new Map(), ze = null, rn = 0, Xo = null, an = 0, $t = "", Bn = !1;
-function Me(e, t) {
+var U = g("entering"), un = g(0), me = g("edit"), Jo = g(null), De = g(0), Ii = () => null, Ai = (e) => {
+  Ii = e;
+}, Yo = /* @__PURE__ */ new Map(), ze = null, sn = 0, Xo = null, ln = 0, $t = "", Bn = !1;
+function Ce(e, t) {
   let n = Yo.get(e) ?? /* @__PURE__ */ new Set();
   return Yo.set(e, n.add(t)), () => n.delete(t);
 }
-function N(e) {
-  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, ze.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Pi(rn, e.do), rn);
+function F(e) {
+  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (sn += 1, ze.send(JSON.stringify({ ...e, seq: sn })), e.do !== "ack" && Li(sn, e.do), sn);
 }
 var $s = 0, ft = /* @__PURE__ */ new Map();
-function Ce(e, t, n, o = () => {
+function Ee(e, t, n, o = () => {
 }) {
-  let r = ++$s, i = Me("answer", (l) => {
+  let r = ++$s, i = Ce("answer", (l) => {
     l.id === r && (l.done !== !1 && i(), n(l));
-  }), a = N({ do: "ask", id: r, what: e, ...t });
+  }), a = F({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
   ft.set(a, (l) => {
@@ -1020,20 +1020,20 @@ function Ce(e, t, n, o = () => {
 function Ps(e) {
   switch (e.is) {
     case "hello":
-      if (an = 0, Xo !== null && e.build !== Xo) {
+      if (ln = 0, Xo !== null && e.build !== Xo) {
         U.value = "renewed", ze?.close();
         return;
       }
       Xo = e.build, me.value = e.role === "watch" ? "watch" : "edit", Jo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ft.clear(), U.value = "open";
       break;
     case "state":
-      Mi(e.state ?? e);
+      Ci(e.state ?? e);
       break;
     case "patch":
-      Qo(e.seq), Ci(e.patch ?? {}, De.value);
+      Qo(e.seq), Ei(e.patch ?? {}, De.value);
       break;
     case "status":
-      $e.value = e;
+      Le.value = e;
       break;
     case "refused":
       if (Qo(e.seq), Tt(De.value), ft.has(e.seq)) {
@@ -1050,7 +1050,7 @@ function Ps(e) {
 function Qo(e) {
   typeof e == "number" && e > De.value && (De.value = e);
 }
-async function Ai() {
+async function Ri() {
   if (!$t) return "in";
   try {
     return (await fetch("/enter", {
@@ -1062,38 +1062,38 @@ async function Ai() {
     return "away";
   }
 }
-function Ri() {
+function Hi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
   ze = t, t.onmessage = (o) => {
     if (t !== ze) return;
     if (typeof o.data != "string") {
-      let i = Vi(o.data);
+      let i = Ii(o.data);
       i && Qo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, rn = 0), Ps(r);
+    r.is === "hello" && (n = !0, sn = 0), Ps(r);
   }, t.onclose = () => {
     t === ze && (ze = null, U.value !== "renewed" && Ls(n));
   };
 }
 async function Ls(e) {
   if (Tt(1 / 0), !e && await Vs()) {
-    let o = await Ai();
-    if (o === "denied" || o === "in" && an > 4 && !$t) {
+    let o = await Ri();
+    if (o === "denied" || o === "in" && ln > 4 && !$t) {
       U.value = "denied";
       return;
     }
   }
-  an += 1;
+  ln += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  an > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
-  let n = Math.min(5, an);
+  ln > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
+  let n = Math.min(5, ln);
   for (let o = n; o > 0; o--)
-    sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  sn.value = 0, Ri();
+    un.value = o, await new Promise((r) => setTimeout(r, 1e3));
+  un.value = 0, Hi();
 }
 async function Vs() {
   try {
@@ -1102,24 +1102,24 @@ async function Vs() {
     return !1;
   }
 }
-async function Hi() {
+async function Oi() {
   let e = location.hash.slice(1);
-  if (e ? ($t = e, sessionStorage.setItem("lampyris-key", $t), window.history.replaceState(null, "", location.pathname + location.search)) : $t = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ai() === "denied") {
+  if (e ? ($t = e, sessionStorage.setItem("lampyris-key", $t), window.history.replaceState(null, "", location.pathname + location.search)) : $t = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ri() === "denied") {
     U.value = "denied";
     return;
   }
-  Ri();
+  Hi();
 }
-Me("hello", () => Bn = !1);
+Ce("hello", () => Bn = !1);
 
 // src/gesture.ts
-var Pt = 0, Di = /* @__PURE__ */ new Set(), Ni = (e) => {
-  Di.add(e);
-}, ln = /* @__PURE__ */ new Set();
+var Pt = 0, Ni = /* @__PURE__ */ new Set(), Fi = (e) => {
+  Ni.add(e);
+}, cn = /* @__PURE__ */ new Set();
 function zn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : me.value === "watch" ? "You are watching. Ask for the pen to change things." : te.value.you ? null : `${te.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
 }
-var Oi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ne = class {
+var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ne = class {
   constructor(t) {
     this.label = t;
   }
@@ -1131,14 +1131,14 @@ var Oi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (zo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
+    this.state === "over" || !this.begin() || (zo(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = N(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = F(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Oi(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ki(t) } : {} })), this.state = "over";
   }
   cancel() {
     this.state === "held" && (this.waiting = null, Wn(this.touched, 0), this.finish({ do: "cancel" }), Tt(0)), this.state = "over";
@@ -1149,18 +1149,18 @@ var Oi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   /** The line is gone, and with it what was held. */
   drop() {
-    this.state = "over", ln.delete(this), Pt = 0;
+    this.state = "over", cn.delete(this), Pt = 0;
   }
   begin() {
     if (this.state === "held") return !0;
     let t = se(zn);
-    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Pt === 0 && Di.forEach((n) => n()), Pt++ === 0 && (this.last = N({ do: "begin", label: Oi(this.label) })), !0);
+    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", cn.add(this), Pt === 0 && Ni.forEach((n) => n()), Pt++ === 0 && (this.last = F({ do: "begin", label: Ki(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = N({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = F({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    ln.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && N(t);
+    cn.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && F(t);
   }
 };
 function ce(e, t) {
@@ -1172,28 +1172,28 @@ function Gn(e, t) {
   n.also(t), n.end();
 }
 function Lt(e) {
-  se(() => U.value) === "open" && (zo({ display: e }, 1 / 0), Wn({ display: e }, N({ do: "display", patch: e })));
+  se(() => U.value) === "open" && (zo({ display: e }, 1 / 0), Wn({ display: e }, F({ do: "display", patch: e })));
 }
-var Pe = null;
+var Ve = null;
 function Zo(e, t, n) {
-  Pe && Pe.key !== e && Ki(), Pe ??= { key: e, gesture: new Ne(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Ki, 700);
+  Ve && Ve.key !== e && Di(), Ve ??= { key: e, gesture: new Ne(t), timer: 0 }, Ve.gesture.set(n), clearTimeout(Ve.timer), Ve.timer = window.setTimeout(Di, 700);
 }
-function Ki() {
-  Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
+function Di() {
+  Ve && (clearTimeout(Ve.timer), Ve.gesture.end(), Ve = null);
 }
 T(() => {
-  De.value, se(() => [...ln].forEach((e) => e.followed()));
+  De.value, se(() => [...cn].forEach((e) => e.followed()));
 });
 T(() => {
-  U.value !== "open" && [...ln].forEach((e) => e.drop());
+  U.value !== "open" && [...cn].forEach((e) => e.drop());
 });
 
 // src/vec.ts
-var M = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], A = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], x = (e, t) => [e[0] * t, e[1] * t, e[2] * t], F = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], fe = (e, t) => [
+var M = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], A = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], x = (e, t) => [e[0] * t, e[1] * t, e[2] * t], K = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], fe = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Fe = (e) => Math.hypot(e[0], e[1], e[2]), Le = (e, t) => Fe(A(e, t)), Is = (e, t, n) => M(x(e, 1 - n), x(t, n));
+], Fe = (e) => Math.hypot(e[0], e[1], e[2]), Te = (e, t) => Fe(A(e, t)), Is = (e, t, n) => M(x(e, 1 - n), x(t, n));
 function q(e, t = [0, 0, 1]) {
   let n = Fe(e);
   return n > 1e-12 ? x(e, 1 / n) : t;
@@ -1202,11 +1202,11 @@ function pt(e) {
   let t = Math.abs(e[0]) < 0.7 * Fe(e) ? [1, 0, 0] : [0, 1, 0];
   return q(fe(t, e));
 }
-function un(e, t, n) {
+function fn(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return M(M(x(e, o), x(fe(t, e), r)), x(t, F(t, e) * (1 - o)));
+  return M(M(x(e, o), x(fe(t, e), r)), x(t, K(t, e) * (1 - o)));
 }
-function cn([e, t]) {
+function Vt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
     o & 1 ? t[0] : e[0],
     o & 2 ? t[1] : e[1],
@@ -1217,35 +1217,35 @@ var Ge = ([e, t]) => Is(e, t, 0.5);
 
 // src/camera.ts
 var er = Math.PI / 180, Xn = 89 * er;
-function Vt(e, t, n) {
+function It(e, t, n) {
   let o = q(A(e.target, e.eye), [0, 0, -1]), r = q(fe(o, e.up), pt(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * er * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: l, parallel: a };
 }
-function fn(e, t) {
-  let n = A(t, e.eye), o = F(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
-  return [e.width / 2 + F(n, e.side) / r, e.height / 2 - F(n, e.up) / r, o];
+function pn(e, t) {
+  let n = A(t, e.eye), o = K(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  return [e.width / 2 + K(n, e.side) / r, e.height / 2 - K(n, e.up) / r, o];
 }
 function As(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = M(x(e.side, o), x(e.up, r));
   return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: q(M(e.forward, i)) };
 }
-function Fi(e, t, n, o) {
-  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(q(r), t)))), l = A(r, x(t, F(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, F(e.up, t))), pt(t)), u = Math.max(-Xn, Math.min(Xn, a + o)), c = un(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
+function qi(e, t, n, o) {
+  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, K(q(r), t)))), l = A(r, x(t, K(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, K(e.up, t))), pt(t)), u = Math.max(-Xn, Math.min(Xn, a + o)), c = fn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
   return { ...e, up: t, target: M(e.eye, x(p, i)) };
 }
-function qi(e, t, n, o, r) {
-  let i = A(e.target, e.eye), a = A(i, x(t, F(i, t))), l = q(Fe(a) > 1e-6 ? a : e.up, pt(t)), d = q(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
+function ji(e, t, n, o, r) {
+  let i = A(e.target, e.eye), a = A(i, x(t, K(i, t))), l = q(Fe(a) > 1e-6 ? a : e.up, pt(t)), d = q(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
   return Xe(e, u);
 }
-function ji(e, t, n, o, r) {
+function Ui(e, t, n, o, r) {
   let i = q(A(e.target, e.eye)), a = q(fe(i, e.up), pt(i));
   return Xe(e, M(M(x(i, n), x(a, o)), x(t, r)));
 }
 function Xe(e, t) {
   return { ...e, eye: M(e.eye, t), target: M(e.target, t) };
 }
-function Ui(e, t, n, o, r) {
-  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), l = Math.max(-Xn, Math.min(Xn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => un(un(c, d, l - a), t, o);
+function Wi(e, t, n, o, r) {
+  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, K(i, t)))), l = Math.max(-Xn, Math.min(Xn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => fn(fn(c, d, l - a), t, o);
   return {
     ...e,
     up: t,
@@ -1253,7 +1253,7 @@ function Ui(e, t, n, o, r) {
     target: M(n, u(A(e.target, n)))
   };
 }
-function Wi(e, t, n, o, r) {
+function Bi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
   return Xe(e, M(x(t.side, -n * i), x(t.up, o * i)));
 }
@@ -1270,22 +1270,22 @@ function Qn(e, t, n, o, r) {
   );
   return { ...Xe(e, l), height: i };
 }
-function Bi(e, t, n = 0.4) {
-  let o = Ge(t), r = Math.max(Le(t[0], t[1]) / 2, 0.15), i = q(A(e.eye, e.target));
+function zi(e, t, n = 0.4) {
+  let o = Ge(t), r = Math.max(Te(t[0], t[1]) / 2, 0.15), i = q(A(e.eye, e.target));
   if (e.height) {
-    let l = F(A(e.eye, o), i);
+    let l = K(A(e.eye, o), i);
     return { ...e, eye: M(o, x(i, l)), target: o, height: r * 3 };
   }
   let a = Math.max(1.5 * r / Math.tan(e.fov * er * 0.5), n + r);
   return { ...e, eye: M(o, x(i, a)), target: o };
 }
 var Rs = ["plan", "ceiling", "north", "east", "south", "west"];
-function zi(e) {
+function Gi(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = q(fe(e, t));
   return { right: q(fe(n, e)), ahead: n };
 }
-function Gi(e, t, n, o) {
-  let { right: r, ahead: i } = zi(n), a = Ge(t), l = (_) => Math.abs(F(A(t[1], t[0]), _)), u = {
+function Xi(e, t, n, o) {
+  let { right: r, ahead: i } = Gi(n), a = Ge(t), l = (_) => Math.abs(K(A(t[1], t[0]), _)), u = {
     plan: { forward: x(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: x(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -1295,15 +1295,15 @@ function Gi(e, t, n, o) {
   }[e], c = l(u.forward), p = 1, m = A(a, x(u.forward, c / 2 + p)), f = 1.08 * Math.max(l(u.up), l(u.side) / o, 0.1);
   return { eye: m, target: a, up: u.up, fov: 50, height: f, near: p + c * u.cut };
 }
-function pn(e, t) {
-  let n = (r, i) => Le(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+function dn(e, t) {
+  let n = (r, i) => Te(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/frames.ts
-var W = g(null), At = g(0), Xi = ["moving", "settled", "final"], Yi = 32, It = /* @__PURE__ */ new Map(), Ve = null, tr = null, nr = !1, dt = null;
+var W = g(null), Rt = g(0), Yi = ["moving", "settled", "final"], Qi = 32, At = /* @__PURE__ */ new Map(), Ie = null, tr = null, nr = !1, dt = null;
 function Hs(e) {
-  if (e.byteLength < Yi) return null;
+  if (e.byteLength < Qi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1311,7 +1311,7 @@ function Hs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Xi[Math.min(t.getUint8(16), 2)],
+    kind: Yi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1321,29 +1321,29 @@ function Hs(e) {
 }
 function Os(e) {
   let t = Hs(e);
-  return t ? (dt && N({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, nr || Ks(), t.head) : null;
+  return t ? (dt && F({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, nr || Ks(), t.head) : null;
 }
 async function Ks() {
   for (nr = !0; dt; ) {
     let { head: e, mime: t, bytes: n, received: o } = dt;
     dt = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Yi)], { type: t }));
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Qi)], { type: t }));
       Ds(e, r, n.byteLength, o);
     } catch {
     }
-    N({ do: "ack", frame: e.frame });
+    F({ do: "ack", frame: e.frame });
   }
   nr = !1;
 }
 function Ds(e, t, n, o) {
   let r = performance.now();
-  Ve && tr && ((Ve.width !== t.width || Ve.height !== t.height) && (Ve.width = t.width, Ve.height = t.height), tr.drawImage(t, 0, 0)), t.close();
-  let i = It.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Li({
+  Ie && tr && ((Ie.width !== t.width || Ie.height !== t.height) && (Ie.width = t.width, Ie.height = t.height), tr.drawImage(t, 0, 0)), t.close();
+  let i = At.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Ns(), Vi({
     frame: e.frame,
     seq: e.seq,
-    kind: Xi.indexOf(e.kind),
+    kind: Yi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1359,34 +1359,34 @@ function Ds(e, t, n, o) {
 var Jn = [];
 function Ns() {
   let e = performance.now();
-  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), At.value = Jn.length;
+  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), Rt.value = Jn.length;
 }
 function or(e) {
-  Ve = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
+  Ie = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Qi() {
-  if (!Ve || !W.peek()) return null;
+function Ji() {
+  if (!Ie || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Ve.width, e.height = Ve.height, e.getContext("2d", { alpha: !1 })?.drawImage(Ve, 0, 0), e;
+  return e.width = Ie.width, e.height = Ie.height, e.getContext("2d", { alpha: !1 })?.drawImage(Ie, 0, 0), e;
 }
-Ii(Os);
-Me("camera", (e) => {
-  It.set(e.number, e);
-  for (let t of It.keys()) {
-    if (It.size <= 64) break;
-    It.delete(t);
+Ai(Os);
+Ce("camera", (e) => {
+  At.set(e.number, e);
+  for (let t of At.keys()) {
+    if (At.size <= 64) break;
+    At.delete(t);
   }
 });
-Me("hello", () => {
-  It.clear(), dt = null;
+Ce("hello", () => {
+  At.clear(), dt = null;
 });
 
 // src/prefs.ts
-var Ji = "lampyris-";
+var Zi = "lampyris-";
 function pe(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Ji + e);
+    let r = localStorage.getItem(Zi + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1394,15 +1394,15 @@ function pe(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Ji + e, r);
+      localStorage.setItem(Zi + e, r);
     } catch {
     }
   }), o;
 }
-var rr = pe("theme", "dark"), ir = pe("house-lights", 1), Zn = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Rt = pe("listing", "faders"), eo = pe("travel", "square"), Ht = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ie = pe("look-only", qs);
+var rr = pe("theme", "dark"), ir = pe("house-lights", 1), Zn = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Ht = pe("listing", "faders"), eo = pe("travel", "square"), Ot = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ae = pe("look-only", qs);
 
 // src/select.ts
-var E = g(null), ne = g(null), K = g(null), js = g("move"), re = G(() => {
+var E = g(null), ne = g(null), D = g(null), js = g("move"), re = G(() => {
   let e = E.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => w.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => O.get(t)?.lamps ?? []) : [];
 });
@@ -1420,26 +1420,26 @@ function _e(e, t, n = "only") {
 function to() {
   E.value = null;
 }
-function Zi(e, t, n) {
+function ea(e, t, n) {
   let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return _e(e, n);
   let i = t.indexOf(n), [a, l] = r < i ? [r, i] : [i, r], d = t.slice(a, l + 1), u = (o?.ids ?? []).filter((c) => !d.includes(c));
   E.value = { kind: e, ids: [...u, ...r < i ? d : d.reverse()] };
 }
 function Us(e) {
-  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? ge.ids.peek() : O.ids.peek();
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? be.ids.peek() : O.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   _e(n, o[(r + e + o.length) % o.length]);
 }
-function ea(e, t) {
+function ta(e, t) {
   switch (e) {
     case "lamp":
       return w.get(t)?.name ?? `lamp ${t}`;
     case "group":
       return O.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return ge.get(t)?.name ?? `thing ${t}`;
+      return be.get(t)?.name ?? `thing ${t}`;
     case "material":
       return Mt.get(t)?.name ?? `material ${t}`;
     default:
@@ -1447,9 +1447,9 @@ function ea(e, t) {
   }
 }
 function Qe(e) {
-  return e.length === 1 ? ea("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? ta("lamp", e[0]) : `${e.length} lamps`;
 }
-function ta(e, t) {
+function na(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
@@ -1467,70 +1467,70 @@ function ta(e, t) {
 var no = g(null);
 
 // src/navigate.ts
-var Ws = 1.6, ye = g(null), Ae = G(() => ee.value?.up ?? [0, 0, 1]), we = g([640, 480]), Kt = g(null), dr = null, dn = null, fr = !1, Je = [], hr = [], mr = 0;
+var Ws = 1.6, we = g(null), he = G(() => ee.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Nt = g(null), dr = null, mn = null, fr = !1, Je = [], hr = [], mr = 0;
 function J(e, t = null) {
-  let n = ye.peek();
-  if (n && pn(n, e)) return;
+  let n = we.peek();
+  if (n && dn(n, e)) return;
   let o = performance.now();
-  n && (o - mr > 1e3 || t) && (Je.push(n), Je.length > 100 && Je.shift(), hr.length = 0), mr = o, ye.value = e, Kt.value = t;
+  n && (o - mr > 1e3 || t) && (Je.push(n), Je.length > 100 && Je.shift(), hr.length = 0), mr = o, we.value = e, Nt.value = t;
 }
-var ie = () => ye.peek();
+var ie = () => we.peek();
 function Bs() {
-  oa(Je, hr);
+  ra(Je, hr);
 }
 function zs() {
-  oa(hr, Je);
+  ra(hr, Je);
 }
-function oa(e, t) {
+function ra(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = ye.peek();
-  o && t.push(o), mr = performance.now(), ye.value = n, Kt.value = null;
+  let o = we.peek();
+  o && t.push(o), mr = performance.now(), we.value = n, Nt.value = null;
 }
 T(() => {
-  !ye.value || U.value !== "open" || me.value === "watch" || fr || (fr = !0, requestAnimationFrame(() => {
+  !we.value || U.value !== "open" || me.value === "watch" || fr || (fr = !0, requestAnimationFrame(() => {
     fr = !1;
-    let t = ye.peek();
-    if (!t || dn && pn(dn, t)) return;
+    let t = we.peek();
+    if (!t || mn && dn(mn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: l } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (d.height = a), l && (d.near = l), N(d) && (dn = t);
+    a && (d.height = a), l && (d.near = l), F(d) && (mn = t);
   }));
 });
 T(() => {
   let e = W.value;
   e && se(() => {
-    ye.peek() && me.peek() === "edit" || (dn = e.camera, ye.value = e.camera, dr ??= e.camera);
+    we.peek() && me.peek() === "edit" || (mn = e.camera, we.value = e.camera, dr ??= e.camera);
   });
 });
-Me("hello", () => dn = null);
-function Dt(e, t) {
+Ce("hello", () => mn = null);
+function Ft(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = mn(o.width, o.height);
+  let { head: o } = n, r = hn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function mn(e, t) {
-  let [n, o] = we.peek(), r = Math.min(n / e, o / t);
+function hn(e, t) {
+  let [n, o] = ke.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function mt(e = ye.peek()) {
-  let [t, n] = we.peek();
-  return e ? Vt(e, t, n) : null;
+function mt(e = we.peek()) {
+  let [t, n] = ke.peek();
+  return e ? It(e, t, n) : null;
 }
-var hn = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Nt = () => Ge(hn());
+var Dt = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], qt = () => Ge(Dt());
 function oo(e, t) {
   let n = ie();
-  n && J(Fi(n, Ae.peek(), e, t));
+  n && J(qi(n, he.peek(), e, t));
 }
 function ro(e, t, n) {
   let o = ie();
-  o && J(Ui(o, Ae.peek(), e, t, n));
+  o && J(Wi(o, he.peek(), e, t, n));
 }
-function Ft(e, t, n) {
+function jt(e, t, n) {
   let o = ie(), r = mt();
-  o && r && J(Wi(o, r, e, t, n));
+  o && r && J(Bi(o, r, e, t, n));
 }
-function ra(e, t, n) {
+function ia(e, t, n) {
   let o = ie();
   if (o) {
     if (o.height) {
@@ -1538,27 +1538,27 @@ function ra(e, t, n) {
       r && J(Xe(o, M(x(r.side, t), x(r.up, e))));
       return;
     }
-    ar.peek() === "fly" || n !== 0 ? J(ji(o, Ae.peek(), e, t, n)) : (J(qi(o, Ae.peek(), e, t, 0)), Gs());
+    ar.peek() === "fly" || n !== 0 ? J(Ui(o, he.peek(), e, t, n)) : (J(ji(o, he.peek(), e, t, 0)), Gs());
   }
 }
-var Ot = !1, pr = !0, na = null;
+var Kt = !1, pr = !0, oa = null;
 function Gs() {
   let e = ie();
-  if (!e || Ot || !pr) return;
-  let t = Ae.peek();
-  Ot = !0;
-  let n = Ce("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
-    Ot = !1, pr = !0;
+  if (!e || Kt || !pr) return;
+  let t = he.peek();
+  Kt = !0;
+  let n = Ee("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
+    Kt = !1, pr = !0;
     let r = ie();
     if (!o.hit || !r || r.height) return;
-    na = F(o.point, t);
-    let i = na + Ws - F(r.eye, t);
+    oa = K(o.point, t);
+    let i = oa + Ws - K(r.eye, t);
     Math.abs(i) > 0.01 && J(Xe(r, x(t, i * 0.5)));
   }, () => {
-    Ot = !1, pr = !1;
+    Kt = !1, pr = !1;
   });
   setTimeout(() => {
-    Ot && n(), Ot = !1;
+    Kt && n(), Kt = !1;
   }, 500);
 }
 function Xs() {
@@ -1568,22 +1568,22 @@ function Xs() {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(ge.get(i)?.box), e.kind === "meter" && n(null, Ke.get(i)?.point), e.kind === "group")
+    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ke.get(i)?.point), e.kind === "group")
       for (let a of O.get(i)?.lamps ?? []) n(w.get(a)?.box, w.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(cn), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
+  let o = t.flatMap(Vt), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
   return [r(Math.min), r(Math.max)];
 }
 function vr() {
   let e = ie(), t = Xs();
-  e && t ? J(Bi(e, t), "selection") : gr();
+  e && t ? J(zi(e, t), "selection") : gr();
 }
 function gr() {
   dr && J(dr, "home");
 }
 function Ys(e) {
-  let [t, n] = we.peek();
-  J(Gi(e, hn(), Ae.peek(), t / n), e);
+  let [t, n] = ke.peek();
+  J(Xi(e, Dt(), he.peek(), t / n), e);
 }
 function Qs() {
   for (let e = Je.length - 1; e >= 0; e--)
@@ -1591,43 +1591,43 @@ function Qs() {
   gr();
 }
 var Js = G(() => {
-  let e = ye.value;
+  let e = we.value;
   if (!e?.height) return null;
-  let t = Vt(e, 2, 2), n = cn(hn()).map((o) => F(A(o, e.eye), t.forward));
-  return { value: e.near ?? 0, most: Math.max(...n) };
+  let t = It(e, 2, 2), n = Vt(Dt()).map((l) => K(A(l, e.eye), t.forward)), o = e.near ?? 0, r = K(t.forward, he.value), i = Math.min(...Vt(Dt()).map((l) => K(l, he.value))), a = Math.abs(r) > 0.99 ? K(e.eye, he.value) + r * o - i : null;
+  return { value: o, most: Math.max(...n), height: a };
 });
 function Zs(e) {
   let t = ie();
-  t && (ye.value = { ...t, near: Math.max(0, e) });
+  t && (we.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
 var io = g("spot"), vn = null;
 function br(e) {
-  vn = null, K.value = K.peek() === e ? null : e;
+  vn = null, D.value = D.peek() === e ? null : e;
 }
-function aa(e) {
+function sa(e) {
   if (!e) return Q("There is nothing at that point.", "warn");
-  switch (K.peek()) {
+  switch (D.peek()) {
     case "aim":
-      sa(re.peek(), e.point), K.value = null;
+      la(re.peek(), e.point), D.value = null;
       break;
     case "meter":
-      la(e.point, e.normal), K.value = null;
+      ua(e.point, e.normal), D.value = null;
       break;
     case "grid":
       if (!vn) {
         vn = e;
         return;
       }
-      el(vn.point, e.point), vn = null, K.value = null;
+      el(vn.point, e.point), vn = null, D.value = null;
       break;
     case "add":
-      tl(io.peek(), e), K.value = null;
+      tl(io.peek(), e), D.value = null;
       break;
   }
 }
-function sa(e, t) {
+function la(e, t) {
   let n = {};
   for (let o of e) {
     let r = w.get(o)?.place;
@@ -1636,7 +1636,7 @@ function sa(e, t) {
   if (!Object.keys(n).length) return Q("What is selected shines into all directions: it cannot be aimed.", "warn");
   ce(`Aim ${Qe(e)}`, { lamps: n });
 }
-function _r(e, t) {
+function yr(e, t) {
   let n = new Set(e.ids.peek()), o = e.ids.subscribe((r) => {
     let i = r.filter((a) => !n.has(a));
     i.length && (_e(t, i[i.length - 1]), queueMicrotask(() => o()));
@@ -1644,20 +1644,20 @@ function _r(e, t) {
   setTimeout(() => o(), 3e3);
 }
 var gn = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function la(e, t) {
+function ua(e, t) {
   let n = gn(Ke);
-  _r(Ke, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+  yr(Ke, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function ua(e) {
+function ca(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
 function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let o = Ae.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = q(fe(o, r)), a = A(t, e), [l, d] = [F(a, r), F(a, i)];
+  let o = he.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = q(fe(o, r)), a = A(t, e), [l, d] = [K(a, r), K(a, i)];
   if (Math.abs(l) < 0.05 || Math.abs(d) < 0.05) return Q("An area needs two corners that lie apart.", "warn");
   let u = M(e, M(x(r, Math.min(l, 0)), x(i, Math.min(d, 0))));
   [l, d] = [Math.abs(l), Math.abs(d)];
-  let c = (m) => Math.max(1, Math.ceil(m / ua(Math.max(l, d)))), p = gn(at);
-  _r(at, "grid"), ce("Lay a grid", {
+  let c = (m) => Math.max(1, Math.ceil(m / ca(Math.max(l, d)))), p = gn(at);
+  yr(at, "grid"), ce("Lay a grid", {
     grids: {
       [p]: {
         name: `Area ${p + 1}`,
@@ -1672,14 +1672,14 @@ function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
     }
   });
 }
-var ia = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+var aa = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
 function tl(e, t) {
-  let n = Ae.peek(), o = F(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
+  let n = he.peek(), o = K(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
   e !== "point" && e !== "sphere" && (a.direction = i), e === "spot" && Object.assign(a, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (a.radius = 0.15), e === "sphere" && (a.radius = 0.08);
   let l = w.all().filter(([, d]) => d.own).length;
-  _r(w, "lamp"), Gn(`Add ${ia[e]?.toLowerCase() ?? e} lamp`, {
+  yr(w, "lamp"), Gn(`Add ${aa[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${ia[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
+    lamp: { name: `${aa[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
   });
 }
 function nl(e, t, n) {
@@ -1693,7 +1693,7 @@ function rl(e, t, n) {
   for (let r of e) {
     let i = w.get(r)?.place, a = n.get(r);
     if (!a) continue;
-    let l = M(a, t), d = i?.aim && Le(i.aim, l) > 1e-6 ? { direction: q(A(i.aim, l)) } : {};
+    let l = M(a, t), d = i?.aim && Te(i.aim, l) > 1e-6 ? { direction: q(A(i.aim, l)) } : {};
     o[r] = { place: { position: l, ...d } };
   }
   return { lamps: o };
@@ -1714,7 +1714,7 @@ function il(e) {
 var ht = g(null), Ze = g("lamps"), wr = g("");
 function lo(e) {
   let t = zn();
-  t ? Q(t, "warn") : N(e);
+  t ? Q(t, "warn") : F(e);
 }
 var al = (e, t) => Object.fromEntries(e.map((n) => [n, t])), sl = {
   quantity: "illuminance",
@@ -1723,10 +1723,10 @@ var al = (e, t) => Object.fromEntries(e.map((n) => [n, t])), sl = {
   scale: "log",
   palette: "viridis",
   lines: !1
-}, yr = sl, ll = () => ut.peek().false_color ?? yr;
+}, _r = sl, ll = () => ut.peek().false_color ?? _r;
 function kr() {
   let e = ut.peek().false_color;
-  e && (yr = e), Lt({ false_color: e ? null : yr });
+  e && (_r = e), Lt({ false_color: e ? null : _r });
 }
 function uo(e) {
   let t = Math.round(((ut.peek().ev ?? 0) + e / 3) * 30) / 30;
@@ -1749,39 +1749,39 @@ async function xr(e) {
   }
   Q(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var qt = /* @__PURE__ */ new Map(), so = null;
+var Ut = /* @__PURE__ */ new Map(), so = null;
 function fl(e) {
-  qt = new Map(e.map((t) => [t.id, t])), so && Z(so), so = null;
+  Ut = new Map(e.map((t) => [t.id, t])), so && Z(so), so = null;
 }
-var pl = () => [...qt.values()], ca = (e) => qt.get(e), Sr = (e) => qt.get(e)?.why?.() ?? null;
+var pl = () => [...Ut.values()], fa = (e) => Ut.get(e), Sr = (e) => Ut.get(e)?.why?.() ?? null;
 function Z(e) {
-  let t = qt.get(e);
-  qt.size || (so = e);
+  let t = Ut.get(e);
+  Ut.size || (so = e);
   let n = t?.why?.();
   n ? Q(n, "warn") : t?.run();
 }
 
 // src/before.ts
-var bn = g(null), he = g(null), dl = g(0.5);
+var bn = g(null), ve = g(null), dl = g(0.5);
 function ml() {
-  let e = W.peek(), t = Qi();
+  let e = W.peek(), t = Ji();
   e && t && (bn.value = { picture: t, camera: e.camera });
 }
-Ni(() => {
-  he.peek() !== "wipe" && ml();
+Fi(() => {
+  ve.peek() !== "wipe" && ml();
 });
-function fa() {
+function pa() {
   let e = bn.peek(), t = W.peek();
   if (!e || !t) Q("Nothing has been changed yet.");
-  else if (!pn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  else if (!dn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
-function _n(e) {
-  e ? he.peek() === null && fa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
+function yn(e) {
+  e ? ve.peek() === null && pa() && (ve.value = "held") : ve.peek() === "held" && (ve.value = null);
 }
 function hl() {
-  he.value = he.peek() === "wipe" ? null : fa() ? "wipe" : null;
+  ve.value = ve.peek() === "wipe" ? null : pa() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
@@ -1795,24 +1795,24 @@ function s(e, t, n, o, r, i) {
 }
 
 // src/load.tsx
-var da = g(null), pa = !1;
+var ma = g(null), da = !1;
 function ae({ part: e }) {
-  let t = da.value?.[e];
+  let t = ma.value?.[e];
   return t ? s(t, {}) : null;
 }
-function ma() {
+function ha() {
   T(() => {
-    if (pa || !(W.value ?? E.value)) return;
-    pa = !0;
+    if (da || !(W.value ?? E.value)) return;
+    da = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => da.value = t);
+      import(e).then((t) => ma.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var co = 0.3048, ha = {
+var co = 0.3048, va = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1836,7 +1836,7 @@ function Mr(e) {
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function va(e, t, n) {
+function ga(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, l = /^[+-]\s*/.exec(o);
@@ -1849,8 +1849,8 @@ function va(e, t, n) {
   }
   return i ? null : r;
 }
-function ga(e, t, n) {
-  let o = ha[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
+function ba(e, t, n) {
+  let o = va[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
     apply: (S) => Math.min(o.high, Math.max(o.low, k(S)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1869,9 +1869,9 @@ function ga(e, t, n) {
     let S = k.rest === "%" ? 0.01 : k.rest === "" ? 1 : NaN, y = k.value * S;
     return !Number.isFinite(y) || y === 0 && /[/÷]/.test(u[1]) ? i : a((b) => /[/÷]/.test(u[1]) ? b / y : b * y);
   }
-  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = va(m, o, o.bare);
+  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = ga(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let k = va(m, { ...ha.flux }, NaN);
+    let k = ga(m, { ...va.flux }, NaN);
     f = k === null || Number.isNaN(k) ? null : k / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1891,7 +1891,7 @@ function He(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function yn(e, t) {
+function _n(e, t) {
   switch (t) {
     case "level":
       return `${He(e)} %`;
@@ -1916,19 +1916,19 @@ function yn(e, t) {
   }
 }
 function vt(e, t = !0) {
-  let n = Ht.value === "fc", o = n ? e / 10.7639 : e;
+  let n = Ot.value === "fc", o = n ? e / 10.7639 : e;
   return Re(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
 function gt(e) {
-  let t = it(null), n = it(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : yn(e.value, e.quantity));
-  Ee(() => {
+  let t = it(null), n = it(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : _n(e.value, e.quantity));
+  $e(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let p = ga(t.value, e.quantity, e.flux);
+    let p = ba(t.value, e.quantity, e.flux);
     if ("why" in p) {
       n.value = p.why;
       return;
@@ -1993,7 +1993,7 @@ function j({ name: e }) {
 }
 
 // src/menu.tsx
-function jt({ id: e, label: t, title: n, children: o }) {
+function Wt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
     let l = document.getElementById(e), d = a.getBoundingClientRect();
     l?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), l?.style.setProperty("top", `${d.bottom + 4}px`);
@@ -2004,7 +2004,7 @@ function jt({ id: e, label: t, title: n, children: o }) {
   ] });
 }
 function Cr({ id: e, label: t }) {
-  let n = Sr(e), o = ca(e);
+  let n = Sr(e), o = fa(e);
   return s(
     "button",
     {
@@ -2023,7 +2023,7 @@ function Cr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var ba = {
+var ya = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
@@ -2032,16 +2032,16 @@ var ba = {
 function _a() {
   let e = ut.value, t = st.value.undo, n = st.value.redo, o = lt.value, r = e.metered;
   return s("header", { class: "bar", children: [
-    s(jt, { id: "page-menu", label: s(j, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
+    s(Wt, { id: "page-menu", label: s(j, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
     s("h1", { title: o.file || ee.value?.file, children: [
       ee.value?.name ?? "Lampyris",
-      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": ba[o.state], title: `${ba[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": ya[o.state], title: `${ya[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     s("span", { class: "group", children: [
       s("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => Z("undo"), children: s(j, { name: "undo" }) }),
       s("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => Z("redo"), children: s(j, { name: "redo" }) })
     ] }),
-    s(jt, { id: "view-menu", label: s(X, { children: [
+    s(Wt, { id: "view-menu", label: s(X, { children: [
       "View ",
       s(j, { name: "down" })
     ] }), title: "View", children: s(ae, { part: "ViewItems" }) }),
@@ -2050,12 +2050,12 @@ function _a() {
       s("button", { onClick: () => Z("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     s("span", { class: "gap" }),
-    s(jt, { id: "seeing-menu", label: s(X, { children: [
+    s(Wt, { id: "seeing-menu", label: s(X, { children: [
       "Picture ",
       s(j, { name: "down" })
     ] }), title: "Tone and white", children: s(ae, { part: "SeeingItems" }) }),
     s("button", { "aria-pressed": e.false_color !== null, onClick: kr, title: "False colour (B)", children: "False colour" }),
-    s("button", { "aria-pressed": he.value === "wipe", "aria-disabled": bn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    s("button", { "aria-pressed": ve.value === "wipe", "aria-disabled": bn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     s("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => uo(1), children: s(j, { name: "minus" }) }),
       s("label", { children: [
@@ -2063,17 +2063,17 @@ function _a() {
         s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Lt({ ev: i(e.ev ?? 0) }) })
       ] }),
       s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => uo(-1), children: s(j, { name: "plus" }) }),
-      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => N({ do: "expose" }), children: s(j, { name: r ? "lock" : "meter" }) })
+      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => F({ do: "expose" }), children: s(j, { name: r ? "lock" : "meter" }) })
     ] }),
     s(
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": Ie.value,
+        "aria-pressed": Ae.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => Ie.value = !Ie.value,
-        children: s(j, { name: Ie.value ? "lock" : "unlock" })
+        onClick: () => Ae.value = !Ae.value,
+        children: s(j, { name: Ae.value ? "lock" : "unlock" })
       }
     ),
     me.value === "edit" && s("button", { class: "wide", onClick: () => ht.value = "share", children: "Share" }),
@@ -2094,38 +2094,38 @@ function _a() {
 
 // src/highlight.ts
 function fo(e) {
-  Se.value = e, N({ do: "solo", lamps: e });
+  Me.value = e, F({ do: "solo", lamps: e });
 }
 function Er(e) {
-  let t = Se.peek(), n = e.every((o) => t.includes(o));
+  let t = Me.peek(), n = e.every((o) => t.includes(o));
   fo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var _l = () => Er(re.peek()), Tr = () => fo([]), wn = null;
+var yl = () => Er(re.peek()), Tr = () => fo([]), wn = null;
 function po(e) {
-  e && wn === null && re.peek().length ? (wn = Se.peek(), fo(re.peek())) : !e && wn !== null && (fo(wn), wn = null);
+  e && wn === null && re.peek().length ? (wn = Me.peek(), fo(re.peek())) : !e && wn !== null && (fo(wn), wn = null);
 }
 
 // src/lights.ts
 var et = g(null), $r = () => {
-}, wa = () => {
+}, ka = () => {
 };
 function mo(e, t, n) {
-  ho(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ya(n);
+  ho(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
   let o = !0, r = 0;
-  wa = T(() => {
-    for (let [, i] of w.all()) be(i);
+  ka = T(() => {
+    for (let [, i] of w.all()) ye(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
       let i = se(() => et.value);
-      i && ya(i.hit);
+      i && wa(i.hit);
     }, 250);
   });
 }
-function ya(e) {
-  $r(), $r = Ce("light", { point: e.point, normal: e.normal }, (t) => {
+function wa(e) {
+  $r(), $r = Ee("light", { point: e.point, normal: e.normal }, (t) => {
     let n = et.peek();
     n && (et.value = {
       ...n,
@@ -2136,37 +2136,37 @@ function ya(e) {
   });
 }
 function ho() {
-  $r(), wa(), et.value = null;
+  $r(), ka(), et.value = null;
 }
 
 // src/keys.ts
-var Ta = g("W A S D"), Pr = {
+var $a = g("W A S D"), Pr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, yl = 1.8, Ut = /* @__PURE__ */ new Set(), vo = !1, go = 1, Lr = !1, Vr = 0;
-function $a(e) {
+}, _l = 1.8, Bt = /* @__PURE__ */ new Set(), vo = !1, go = 1, Lr = !1, Vr = 0;
+function Pa(e) {
   let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
-  if (Vr = e, !Ut.size) {
+  if (Vr = e, !Bt.size) {
     Lr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let l of Ut) {
+  for (let l of Bt) {
     let [d, u, c] = Pr[l];
     n += d, o += u, r += c;
   }
-  let i = Math.max(1, Le(...hn()) / 12), a = yl * t * go * Math.min(i, 6);
-  (n || o || r) && ra(n * a, o * a, r * a), requestAnimationFrame($a);
+  let i = Math.max(1, Te(...Dt()) / 12), a = _l * t * go * Math.min(i, 6);
+  (n || o || r) && ia(n * a, o * a, r * a), requestAnimationFrame(Pa);
 }
 function kn(e) {
-  Ut.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame($a));
+  Bt.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame(Pa));
 }
 var wl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function ka() {
+function xa() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
@@ -2190,14 +2190,14 @@ var kl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, xa = {
+}, Sa = {
   b: "quantity",
   o: "park",
   i: "unsolo",
   l: "from-lamp",
   g: "grid",
   t: "aim-here"
-}, Sa = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ma = {
+}, Ma = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ca = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2211,13 +2211,13 @@ function xl(e) {
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
 function Sl() {
-  K.peek() ? K.value = null : et.peek() ? ho() : he.peek() ? he.value = null : E.peek() ? to() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
-}
-function Ca(e) {
-  let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? ro(Nt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
+  D.peek() ? D.value = null : et.peek() ? ho() : ve.peek() ? ve.value = null : E.peek() ? to() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function Ea(e) {
+  let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
+  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? jt(-t * 24, n * 24, 3) : e.shiftKey ? ro(qt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
+}
+function Ta(e) {
   let t = ie(), n = mt();
   !t || !n || (t.height ? J(Qn(t, n, n.width / 2, n.height / 2, e)) : J(Yn(t, t.target, e, 0.3, !0)));
 }
@@ -2230,7 +2230,7 @@ function Ml(e) {
     return;
   }
   if (t && !e.altKey) {
-    if (ka() && Ca(e)) return e.preventDefault();
+    if (xa() && Ea(e)) return e.preventDefault();
     let i = xl(e);
     i && qe(e, i);
     return;
@@ -2248,14 +2248,14 @@ function Ml(e) {
     }
     if (e.code === "KeyH" && qe(e, "unhide"), !(e.code in Pr)) return;
   }
-  let n = ka();
-  if (n && Ca(e)) return e.preventDefault();
+  let n = xa();
+  if (n && Ea(e)) return e.preventDefault();
   if (n && e.code in Pr)
     return go = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Ea(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Ea(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return Ta(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Ta(1 / 0.85);
   if (!lr.peek()) return;
-  if (e.shiftKey && Ma[e.code]) return qe(e, Ma[e.code]);
+  if (e.shiftKey && Ca[e.code]) return qe(e, Ca[e.code]);
   if (vo && /^\d$/.test(e.key)) {
     e.preventDefault(), vo = !1;
     let i = Et.ids.peek()[Number(e.key) - 1];
@@ -2267,34 +2267,34 @@ function Ml(e) {
     e.preventDefault(), wr.value = e.key;
     return;
   }
-  if (!e.shiftKey && Sa[e.code]) return qe(e, Sa[e.code]);
-  if (e.key === "\\") return void (e.repeat || _n(!0));
+  if (!e.shiftKey && e.key !== "?" && Ma[e.code]) return qe(e, Ma[e.code]);
+  if (e.key === "\\") return void (e.repeat || yn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || Z("highlight"));
   if (o === "p" && e.shiftKey) return Cl();
-  let r = e.shiftKey && xa[o] ? xa[o] : kl[o];
+  let r = e.shiftKey && Sa[o] ? Sa[o] : kl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && qe(e, r);
 }
 function Cl() {
-  let [e, t] = we.peek(), n = Dt(e / 2, t / 2);
-  n && Ce("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
+  let [e, t] = ke.peek(), n = Ft(e / 2, t / 2);
+  n && Ee("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
 }
 function qe(e, t) {
   e.preventDefault(), Z(t);
 }
 function El(e) {
-  Ut.delete(e.code), e.key === "\\" && _n(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (go = 1);
+  Bt.delete(e.code), e.key === "\\" && yn(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (go = 1);
 }
-function Pa() {
+function La() {
   addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
-    Ut.clear(), po(!1), _n(!1);
+    Bt.clear(), po(!1), yn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Ta.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
 function Tl(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Ut.delete(n);
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Bt.delete(n);
   go = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
 }
 
@@ -2307,7 +2307,7 @@ function Rr(e) {
   let t = re.peek();
   return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function La(e, t, n) {
+function Va(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2327,7 +2327,7 @@ var xn = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(La(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Va(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? Qe([...this.from.keys()]) : bo(this.strip);
@@ -2337,9 +2337,9 @@ var xn = class {
     this.gesture.cancel();
   }
 };
-function _o(e, t) {
+function yo(e, t) {
   let n = new Map(Rr(e).map((o) => [o, w.get(o)?.level ?? 0]));
-  Zo(`level ${e.kind} ${e.id}`, `${bo(e)} level`, La(e, t, n));
+  Zo(`level ${e.kind} ${e.id}`, `${bo(e)} level`, Va(e, t, n));
 }
 function Sn(e, t) {
   if (!e.length) return;
@@ -2349,7 +2349,7 @@ function Sn(e, t) {
   })), o = e.length === 1 ? ` ${He(w.get(e[0])?.level ?? 0)} → ${He(n[e[0]].level)} %` : " level";
   ce(`${Qe(e)}${o}`, { lamps: n });
 }
-function yo(e, t) {
+function _o(e, t) {
   let n = t(O.get(e)?.level ?? 0);
   ce(`${O.get(e)?.name ?? "Group"} ${He(n)} %`, { groups: { [e]: { level: n } } });
 }
@@ -2362,9 +2362,9 @@ function wo(e, t) {
 var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Ll = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Vl = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
 function Mn(e) {
   let t = Math.max(...e, 1e-6);
-  return Va(e.map((n) => n / t));
+  return Ia(e.map((n) => n / t));
 }
-function Va(e) {
+function Ia(e) {
   return `#${e.map((t) => Vl(t).toString(16).padStart(2, "0")).join("")}`;
 }
 function Il(e) {
@@ -2374,19 +2374,19 @@ function Il(e) {
 var Al = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ia = -1e9;
-addEventListener("scroll", () => Ia = performance.now(), { capture: !0, passive: !0 });
-var Wt = (e) => Math.max(0, Math.min(1, e));
+var Aa = -1e9;
+addEventListener("scroll", () => Aa = performance.now(), { capture: !0, passive: !0 });
+var zt = (e) => Math.max(0, Math.min(1, e));
 function Hr(e) {
   let t = oe(null), n = oe(null), o = e.notch ?? 0.01, r = (u) => {
     if (u.button !== 0 || e.disabled) return;
     let c = u.currentTarget.getBoundingClientRect(), p = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
-    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? Wt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Wt(p));
+    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? zt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(zt(p));
   }, i = (u) => {
     let c = n.current;
     if (!c || c.id !== u.pointerId) return;
     let p = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (p.height - 16) : (u.clientX - c.x) / (p.width - 12);
-    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(Wt(c.at));
+    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(zt(c.at));
   }, a = (u) => {
     n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
   }, l = (u) => {
@@ -2395,12 +2395,12 @@ function Hr(e) {
       return;
     }
     let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], p = null;
-    c && (p = Wt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
+    c && (p = zt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
   }, d = (u) => {
-    if (performance.now() - Ia < 400 || u.ctrlKey) return;
+    if (performance.now() - Aa < 400 || u.ctrlKey) return;
     u.preventDefault();
     let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
-    c && e.on(Wt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
+    c && e.on(zt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
   };
   return s(
     "input",
@@ -2416,7 +2416,7 @@ function Hr(e) {
       disabled: e.disabled,
       "aria-label": e.label,
       "aria-valuetext": e.text,
-      style: { "--t": Wt(e.value), "--gradient": e.gradient ?? "" },
+      style: { "--t": zt(e.value), "--gradient": e.gradient ?? "" },
       onPointerDown: r,
       onPointerMove: i,
       onPointerUp: a,
@@ -2439,10 +2439,10 @@ function xo(e) {
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
 var ko = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Aa({ row: e, index: t, count: n }) {
+function Ra({ row: e, index: t, count: n }) {
   let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, l = i ?? a;
   if (!l) return null;
-  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * be(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * be(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => Se.value.includes(y)), f = Se.value.length > 0 && !d.some((y) => Se.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
+  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * ye(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * ye(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => Me.value.includes(y)), f = Me.value.length > 0 && !d.some((y) => Me.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
     begin: () => o.current = new xn(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2464,7 +2464,7 @@ function Aa({ row: e, index: t, count: n }) {
       children: [
         s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => wo(r, !l.on), children: s(j, { name: "power" }) }),
         s("div", { class: "top", children: [
-          a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ra(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
+          a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ha(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
           s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
             s("span", { children: l.name }),
             a && s("small", { children: d.length }),
@@ -2491,9 +2491,9 @@ function Aa({ row: e, index: t, count: n }) {
               notch: 0.01,
               on: (y) => {
                 let b = Ar(y);
-                o.current ? o.current.to(b) : _o(r, b);
+                o.current ? o.current.to(b) : yo(r, b);
               },
-              reset: () => _o(r, 1),
+              reset: () => yo(r, 1),
               ...S
             }
           ),
@@ -2505,10 +2505,10 @@ function Aa({ row: e, index: t, count: n }) {
               value: l.level,
               flux: u,
               step: 0.01,
-              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : yo(e.id, y)
+              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : _o(e.id, y)
             }
           ),
-          s("span", { class: "lumens", children: yn(c, "flux") })
+          s("span", { class: "lumens", children: _n(c, "flux") })
         ] })
       ]
     }
@@ -2516,7 +2516,7 @@ function Aa({ row: e, index: t, count: n }) {
 }
 
 // src/sheetrow.tsx
-function Ha() {
+function Oa() {
   return s("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     s("span", {}),
     s("span", { children: "Name" }),
@@ -2525,12 +2525,12 @@ function Ha() {
     s("span", { children: "White" })
   ] });
 }
-function Oa({ row: e, index: t, count: n }) {
+function Ka({ row: e, index: t, count: n }) {
   let o = e.kind === "lamp" ? w.get(e.id) : void 0, r = e.kind === "group" ? O.get(e.id) : void 0, i = o ?? r;
   if (!i) return null;
-  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * be(o) : (r?.lamps ?? []).reduce((u, c) => {
+  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * ye(o) : (r?.lamps ?? []).reduce((u, c) => {
     let p = w.get(c);
-    return u + (p ? p.flux * be(p) : 0);
+    return u + (p ? p.flux * ye(p) : 0);
   }, 0), d = ne.value?.kind === e.kind && ne.value.id === e.id;
   return s(
     "div",
@@ -2553,7 +2553,7 @@ function Oa({ row: e, index: t, count: n }) {
             value: i.level,
             flux: o?.flux,
             step: 0.01,
-            set: (u) => o ? Sn([e.id], u) : yo(e.id, u)
+            set: (u) => o ? Sn([e.id], u) : _o(e.id, u)
           }
         ),
         s("span", { class: "lumens", children: Re(l) }),
@@ -2567,29 +2567,29 @@ function Oa({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Ka = 4;
+var Da = 4;
 function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = oe(null), l = it(0), d = it(600);
-  Ee(() => {
+  $e(() => {
     let p = a.current, m = new ResizeObserver(() => d.value = p.clientHeight);
     return m.observe(p), () => m.disconnect();
-  }, []), Ee(() => {
+  }, []), $e(() => {
     let p = a.current;
     if (!p || r === void 0 || r < 0) return;
     let m = r * t;
     (m < p.scrollTop || m + t > p.scrollTop + p.clientHeight) && (p.scrollTop = Math.max(0, m - p.clientHeight / 2));
   }, [r, t]);
-  let u = Math.max(0, Math.floor(l.value / t) - Ka), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Ka);
+  let u = Math.max(0, Math.floor(l.value / t) - Da), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Da);
   return s("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => l.value = p.currentTarget.scrollTop, children: s("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: s("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (p, m) => n(u + m)) }) }) });
 }
 
 // src/lamps.tsx
-var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Na = G(() => {
+var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Fa = G(() => {
   let e = Mo.value.trim().toLowerCase(), t = (r) => {
     let i = w.get(r);
     return i ? !e || `${i.name} ${i.kind} ${O.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
   };
-  if (Co.value !== "group" && Rt.value === "sheet") {
+  if (Co.value !== "group" && Ht.value === "sheet") {
     let r = Co.value, i = w.all().filter(([a]) => t(a));
     return i.sort(([, a], [, l]) => r === "name" ? a.name.localeCompare(l.name, "en", { numeric: !0 }) : l[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
   }
@@ -2607,16 +2607,16 @@ var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Na = G(() =>
   }
   for (let r of w.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
   return n;
-}), Da = !1;
+}), Na = !1;
 O.ids.subscribe((e) => {
-  Da || !e.length || (Da = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
+  Na || !e.length || (Na = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ra(e) {
+function Ha(e) {
   let t = new Set(bt.peek());
   t.delete(e) || t.add(e), bt.value = t;
 }
 function So(e, t, n) {
-  e.shiftKey ? Zi(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : _e(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? ea(t, Fa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : _e(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
 function Rl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
@@ -2626,8 +2626,8 @@ function Rl(e) {
   o[o.indexOf(n) + t]?.focus();
 }
 var Hl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Fa() {
-  let e = Na.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Rt.value === "sheet";
+function qa() {
+  let e = Fa.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Ht.value === "sheet";
   return s("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Rl, children: [
     s("header", { class: "panel-head", children: [
       s("h2", { children: [
@@ -2636,8 +2636,8 @@ function Fa() {
       ] }),
       s("span", { class: "gap" }),
       s("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        s("button", { "aria-pressed": !r, onClick: () => Rt.value = "faders", children: "Faders" }),
-        s("button", { "aria-pressed": r, onClick: () => Rt.value = "sheet", children: "Sheet" })
+        s("button", { "aria-pressed": !r, onClick: () => Ht.value = "faders", children: "Faders" }),
+        s("button", { "aria-pressed": r, onClick: () => Ht.value = "sheet", children: "Sheet" })
       ] })
     ] }),
     s("div", { class: "panel-tools", children: [
@@ -2660,7 +2660,7 @@ function Fa() {
         s("option", { value: "flux", children: "by flux" }),
         s("option", { value: "level", children: "by level" })
       ] }),
-      s(jt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+      s(Wt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
         Hl.map((i) => s(Cr, { id: i }, i)),
         s("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           s("span", { children: "IES or LDT file…" }),
@@ -2673,7 +2673,7 @@ function Fa() {
       " selected; a fader moves them in proportion",
       s("button", { onClick: () => Z("none"), children: "None" })
     ] }),
-    r && s(Ha, {}),
+    r && s(Oa, {}),
     s(
       Or,
       {
@@ -2683,7 +2683,7 @@ function Fa() {
         show: n,
         row: (i) => {
           let a = e[i];
-          return s(r ? Oa : Aa, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
+          return s(r ? Ka : Ra, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
     ),
@@ -2692,10 +2692,10 @@ function Fa() {
 }
 
 // src/states.ts
-var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => $e.value?.stage ?? "loading"), Ol = G(() => {
-  let e = $e.value?.fps ?? 0;
-  return Kr.value === "moving" && e > 6 && At.value < 0.4 * e && At.value < 5;
-}), Bt = G(() => {
+var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => Le.value?.stage ?? "loading"), Ol = G(() => {
+  let e = Le.value?.fps ?? 0;
+  return Kr.value === "moving" && e > 6 && Rt.value < 0.4 * e && Rt.value < 5;
+}), Gt = G(() => {
   switch (U.value) {
     case "entering":
       return "starting";
@@ -2704,9 +2704,9 @@ var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => $e.value?
     default:
       return U.value;
   }
-  return !ee.value || !W.value ? "loading" : lt.value.state === "failed" ? "unsaved" : Cn.value !== null ? "broken" : En.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : Ti.value ? "all-off" : Ol.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
+  return !ee.value || !W.value ? "loading" : lt.value.state === "failed" ? "unsaved" : Cn.value !== null ? "broken" : En.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : $i.value ? "all-off" : Ol.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
 });
-Me("event", (e) => {
+Ce("event", (e) => {
   switch (e.what) {
     case "reloaded": {
       Cn.value = null, tt.value = e.lost ?? [];
@@ -2725,7 +2725,7 @@ Me("event", (e) => {
       break;
   }
 });
-Me("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
+Ce("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
 T(() => {
   te.value.you && (En.value = null);
 });
@@ -2733,22 +2733,22 @@ T(() => {
 // src/probe.ts
 var Eo = g(null);
 function To(e, t, n) {
-  let o = Dt(e, t);
+  let o = Ft(e, t);
   if (!o) return n(null);
-  Ce("point", o, (r) => n(r.hit ? r : null));
+  Ee("point", o, (r) => n(r.hit ? r : null));
 }
-function qa(e) {
+function ja(e) {
   if (!e) return "";
-  let t = [], n = w.get(e.lamp)?.name, o = ge.get(e.thing)?.name, r = Mt.get(e.material)?.name;
+  let t = [], n = w.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = Mt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${vt(e.lux[0])} ±${vt(e.lux[1], !1)}`), e.luminance) {
-    let i = e.luminance[0] * (Ht.value === "fc" ? 0.2919 : 1);
-    t.push(`${Re(i)} ${Ht.value === "fc" ? "fL" : "cd/m²"}`);
+    let i = e.luminance[0] * (Ot.value === "fc" ? 0.2919 : 1);
+    t.push(`${Re(i)} ${Ot.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var ja = G(() => {
+var Ua = G(() => {
   W.value;
   let e = [];
   for (let t of le.sent.slice(-24)) {
@@ -2759,7 +2759,7 @@ var ja = G(() => {
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
 function Kl() {
-  let e = $e.value;
+  let e = Le.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
@@ -2775,8 +2775,8 @@ function Kl() {
       return `finished${t}`;
   }
 }
-function Ua() {
-  let e = $e.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Wa() {
+  let e = Le.value, t = W.value?.head, n = an.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return s("footer", { class: "status", "aria-label": "Status", children: [
     s("span", { class: `quality ${e?.stage ?? ""}`, children: [
       s("i", { class: "thin", "aria-hidden": "true", children: s("b", { style: { width: `${o * 100}%` } }) }),
@@ -2786,9 +2786,9 @@ function Ua() {
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    s("span", { children: U.value === "open" ? `${B(At.value)} fps` : "no line" }),
-    ja.value !== null && s("span", { title: "From the hand to the paint, median", children: [
-      B(ja.value),
+    s("span", { children: U.value === "open" ? `${B(Rt.value)} fps` : "no line" }),
+    Ua.value !== null && s("span", { title: "From the hand to the paint, median", children: [
+      B(Ua.value),
       " ms"
     ] }),
     t && s("span", { children: [
@@ -2797,45 +2797,45 @@ function Ua() {
       t.height
     ] }),
     s("span", { class: "wide", children: [
-      on.value.length,
+      an.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    s("span", { class: "probe", "aria-live": "off", children: qa(Eo.value) }),
+    s("span", { class: "probe", "aria-live": "off", children: ja(Eo.value) }),
     s("span", { class: "gap" }),
     s("span", { children: te.value.you ? "editing: you" : `editing: ${te.value.name ?? "somebody else"}` }),
     s("span", { class: "spoken", children: [
       Jo.value ?? "",
       " ",
-      Bt.value
+      Gt.value
     ] })
   ] });
 }
 
 // src/pointer.ts
-var Dl = 4, Wa = 35e-4, Nl = 0.15;
+var Dl = 4, Ba = 35e-4, Nl = 0.15;
 function Fl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ba(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = Nt(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
+function za(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = qt(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
   }, p = (h, v, $) => {
-    let P = Dt(h, v);
-    P && Ce("point", P, (L) => {
+    let P = Ft(h, v);
+    P && Ee("point", P, (L) => {
       let I = L;
       I.hit && $?.(I);
     });
   }, m = (h) => {
     let v = mt();
-    return v ? Math.max(0.2, F(A(h, v.eye), v.forward)) : r;
+    return v ? Math.max(0.2, K(A(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
     let [v, $] = c(h), P = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Fl(Zn.peek(), h.button, L);
-    I === "look" && ie()?.height && (I = "pan"), K.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
+    I === "look" && ie()?.height && (I = "pan"), D.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
@@ -2847,7 +2847,7 @@ function Ba(e, t) {
       touch: P,
       shift: h.shiftKey,
       ctrl: L.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Nt(), r = m(o), p(v, $, (H) => {
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = qt(), r = m(o), p(v, $, (H) => {
       o = H.point, r = m(H.point);
     })), clearTimeout(l), P && n.size === 1 && (l = window.setTimeout(() => {
       let H = n.get(h.pointerId);
@@ -2869,24 +2869,24 @@ function Ba(e, t) {
     if (!(!v.moved && Math.hypot($ - v.startX, P - v.startY) < Dl)) {
       if (v.moved = !0, v.x = $, v.y = P, n.size === 2 && u) {
         let H = _();
-        Ft(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
+        jt(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
         return;
       }
-      if (K.peek() === "marquee" && v.button === 0) {
+      if (D.peek() === "marquee" && v.button === 0) {
         t.marquee([v.startX, v.startY], [$, P], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
           let H = v.touch ? 1 : -1;
-          oo(H * L * Wa, H * I * Wa);
+          oo(H * L * Ba, H * I * Ba);
           break;
         }
         case "orbit":
           ro(o, -L * 6e-3, -I * 6e-3);
           break;
         case "pan":
-          Ft(L, I, r);
+          jt(L, I, r);
           break;
         case "dolly":
           b(v.startX, v.startY, Math.exp(I * 6e-3), !1);
@@ -2900,13 +2900,13 @@ function Ba(e, t) {
     let v = n.get(h.pointerId);
     if (n.delete(h.pointerId), clearTimeout(l), n.size < 2 && (u = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
-        K.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        D.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
         return;
       }
       if (v.touch) {
         let $ = performance.now(), P = $ - d < 320;
         if (d = $, P) return t.double();
-        if (Ie.peek()) return;
+        if (Ae.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
@@ -2923,41 +2923,41 @@ function Ba(e, t) {
     let H = performance.now();
     if (!y || H - y.time > 500 || Math.hypot(h - y.x, v - y.y) > 6) {
       y = { x: h, y: v, time: H, point: null };
-      let yt = y;
-      p(h, v, (jr) => {
-        yt.point = jr.point, r = m(jr.point);
+      let _t = y;
+      p(h, v, (Ur) => {
+        _t.point = Ur.point, r = m(Ur.point);
       });
     }
     y.time = H;
-    let [ns, os] = [h - I.width / 2, I.height / 2 - v], rs = Math.min(r, Le(L.eye, Nt()) + 1), $o = (yt) => L.eye[yt] + (I.forward[yt] + I.side[yt] * ns * I.pixel + I.up[yt] * os * I.pixel) * rs, is = y.point ?? [$o(0), $o(1), $o(2)];
-    J(Yn(L, is, $, Nl, P));
+    let [os, rs] = [h - I.width / 2, I.height / 2 - v], is = Math.min(r, Te(L.eye, qt()) + 1), $o = (_t) => L.eye[_t] + (I.forward[_t] + I.side[_t] * os * I.pixel + I.up[_t] * rs * I.pixel) * is, jr = y.point ?? [$o(0), $o(1), $o(2)];
+    J(Yn(L, jr, $, Nl, P)), P && Te(L.eye, jr) < 0.5 && (y = null);
   }
   function R(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
     let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [L, I] = c(h);
-    if (Zn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -P, r);
+    if (Zn.peek() === "trackpad" && !h.ctrlKey) return jt(-$, -P, r);
     let H = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs($) ? P : $);
     b(L, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
   let V = (h) => h.preventDefault(), je = () => {
     clearTimeout(a), t.unhover();
   }, Ue = (h) => {
-    !h.target.closest("[data-handle]") && K.peek() === null && t.double();
-  }, xe = (h) => {
+    !h.target.closest("[data-handle]") && D.peek() === null && t.double();
+  }, Se = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
-  }, ve = new ResizeObserver(() => {
+  }, ge = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    we.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    ke.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", je), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ue), addEventListener("keydown", xe), addEventListener("keyup", xe), () => {
-    ve.disconnect(), removeEventListener("keydown", xe), removeEventListener("keyup", xe);
+  return ge.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", je), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ue), addEventListener("keydown", Se), addEventListener("keyup", Se), () => {
+    ge.disconnect(), removeEventListener("keydown", Se), removeEventListener("keyup", Se);
   };
 }
 
 // src/overlay.ts
 var ql = "http://www.w3.org/2000/svg";
-function ke(e, t = {}, n) {
+function xe(e, t = {}, n) {
   let o = document.createElementNS(ql, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
@@ -2966,15 +2966,15 @@ var Fr = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = mn(t.width, t.height);
+    this.view = t, this.fit = hn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = fn(this.view, t);
+    let [n, o, r] = pn(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = fn(this.view, t), [, , r] = fn(this.view, n), i = 0.05, [a, l] = [t, n];
+    let [, , o] = pn(this.view, t), [, , r] = pn(this.view, n), i = 0.05, [a, l] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
       let c = (i - o) / (r - o), p = M(x(t, 1 - c), x(n, c));
@@ -2986,18 +2986,18 @@ var Fr = class {
 };
 function qr() {
   let e = W.value;
-  return we.value, e ? new Fr(Vt(e.camera, e.head.width, e.head.height)) : null;
+  return ke.value, e ? new Fr(It(e.camera, e.head.width, e.head.height)) : null;
 }
-function za() {
+function Ga() {
   let e = se(qr);
   return e ? w.all().flatMap(([t, n]) => {
-    let o = Ga(n), r = o && e.at(o);
+    let o = Xa(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ga = ao, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+var Xa = ao, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 function Nr(e, t) {
-  let n = cn(t);
+  let n = Vt(t);
   return jl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
 var Tn = class {
@@ -3016,9 +3016,9 @@ var Tn = class {
       n.add(o);
       let l = this.marks.get(o);
       if (!l) {
-        let d = ke("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        let d = xe("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(d);
-        let u = ke("text", { x: 10, y: 4 }, d);
+        let u = xe("text", { x: 10, y: 4 }, d);
         l = { group: d, label: u }, this.marks.set(o, l);
       }
       if (!r) {
@@ -3031,29 +3031,29 @@ var Tn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Xa(e) {
-  let t = ke("path", { class: "aims" }, e), n = ke("path", { class: "boxes" }, e), o = ke("path", { class: "boxes hover" }, e), r = ke("path", { class: "grid-lines" }, e), i = new Tn(ke("g", {}, e), "lamp", (c) => ke("circle", { r: 4.5 }, c)), a = new Tn(ke("g", {}, e), "grid", () => {
-  }), l = new Tn(ke("g", {}, e), "meter", (c) => {
-    ke("circle", { r: 5.5 }, c), ke("path", { d: "M-9 0H9M0 -9V9" }, c);
+function Ya(e) {
+  let t = xe("path", { class: "aims" }, e), n = xe("path", { class: "boxes" }, e), o = xe("path", { class: "boxes hover" }, e), r = xe("path", { class: "grid-lines" }, e), i = new Tn(xe("g", {}, e), "lamp", (c) => xe("circle", { r: 4.5 }, c)), a = new Tn(xe("g", {}, e), "grid", () => {
+  }), l = new Tn(xe("g", {}, e), "meter", (c) => {
+    xe("circle", { r: 5.5 }, c), xe("path", { d: "M-9 0H9M0 -9V9" }, c);
   }), d = T(() => {
     let c = qr();
     if (!c) return;
     let p = E.value, m = ne.value, f = "", _ = "", k = w.all().map(([y, b]) => {
-      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), V = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, je = Ga(b), Ue = b.place?.position;
+      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), V = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, je = Xa(b), Ue = b.place?.position;
       if (R && b.box && (_ += Nr(c, b.box)), Ue && b.place?.direction && (R || V)) {
         let h = b.place.aim ?? M(Ue, b.place.direction);
         f += c.line(Ue, h);
       }
-      let xe = R || V || ur.value && (b.own || b.place?.position), ve = `${R ? "selected" : ""} ${V ? "under" : ""} ${be(b) ? "" : "off"}`;
-      return { id: y, at: je && xe ? c.at(je) : null, label: R || V ? b.name : "", state: ve };
+      let Se = R || V || ur.value && (b.own || b.place?.position), ge = `${R ? "selected" : ""} ${V ? "under" : ""} ${ye(b) ? "" : "off"}`;
+      return { id: y, at: je && Se ? c.at(je) : null, label: R || V ? b.name : "", state: ge };
     });
     if (i.draw(k), t.setAttribute("d", f), p?.kind === "thing")
       for (let y of p.ids) {
-        let b = ge.get(y)?.box;
+        let b = be.get(y)?.box;
         b && (_ += Nr(c, b));
       }
     n.setAttribute("d", _);
-    let S = m?.kind === "lamp" ? w.get(m.id)?.box : m?.kind === "thing" ? ge.get(m.id)?.box : null;
+    let S = m?.kind === "lamp" ? w.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
     o.setAttribute("d", S ? Nr(c, S) : "");
   }), u = T(() => {
     let c = qr();
@@ -3090,7 +3090,7 @@ function Ul(e, t) {
 function de({ tone: e, children: t }) {
   return s("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ya = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+var Qa = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
 function Wl() {
   let e = w.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = O.all().filter(([, n]) => !n.on || n.level === 0);
   ce("All lamps on", {
@@ -3099,7 +3099,7 @@ function Wl() {
   });
 }
 function Bl() {
-  switch (Bt.value) {
+  switch (Gt.value) {
     case "starting":
       return s(de, { tone: "calm", children: "Entering…" });
     case "loading": {
@@ -3115,15 +3115,15 @@ function Bl() {
     case "lost":
       return s(de, { tone: "warn", children: [
         "Connection lost, trying again",
-        sn.value ? ` (${sn.value} s)` : "…",
+        un.value ? ` (${un.value} s)` : "…",
         ". Until then nothing can be changed."
       ] });
     case "ended":
       return s(de, { tone: "warn", children: [
         "The program has ended. Start it again with ",
-        s("code", { children: Ya() }),
+        s("code", { children: Qa() }),
         s("button", { onClick: () => {
-          xr(Ya());
+          xr(Qa());
         }, children: "Copy" }),
         " and this page comes back by itself."
       ] });
@@ -3151,7 +3151,7 @@ function Bl() {
         "Control moved to ",
         s("em", { children: En.value }),
         ". ",
-        s("button", { onClick: () => N({ do: "edit", what: "take" }), children: "Take it back" })
+        s("button", { onClick: () => F({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
       return s(de, { tone: "calm", children: [
@@ -3162,7 +3162,7 @@ function Bl() {
           " edits"
         ] }) : "",
         ".",
-        s("button", { onClick: () => N({ do: "edit", what: "take" }), children: "Ask for control" })
+        s("button", { onClick: () => F({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
       return s(de, { tone: "calm", children: [
@@ -3194,8 +3194,8 @@ function Bl() {
       return null;
   }
 }
-function Qa() {
-  let e = Se.value;
+function Ja() {
+  let e = Me.value;
   return s("div", { class: "banners", "data-scroll": !0, children: [
     Bl(),
     tt.value.length > 0 && s(de, { tone: "calm", children: [
@@ -3221,20 +3221,20 @@ function Qa() {
 }
 
 // src/view.tsx
-var Za = g(null);
+var es = g(null);
 function zl(e, t) {
-  let n = za();
+  let n = Ga();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: l }) => l[0] >= o && l[0] <= r && l[1] >= i && l[1] <= a).map(({ id: l }) => l);
 }
 var Gl = {
   click(e, t, n) {
-    let o = Ja(e, t);
-    if (K.peek() === null && o) return _e(o.kind, o.id, n);
+    let o = Za(e, t);
+    if (D.peek() === null && o) return _e(o.kind, o.id, n);
     To(e, t, (r) => {
-      if (r && (no.value = { point: r.point, normal: r.normal }), K.peek() !== null) return aa(r);
-      ta(r, n);
+      if (r && (no.value = { point: r.point, normal: r.normal }), D.peek() !== null) return sa(r);
+      na(r, n);
     });
   },
   menu(e, t) {
@@ -3246,7 +3246,7 @@ var Gl = {
     vr();
   },
   hover(e, t) {
-    let n = Ja(e, t);
+    let n = Za(e, t);
     n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), To(e, t, (o) => {
       Eo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
     });
@@ -3255,12 +3255,12 @@ var Gl = {
     ne.peek() && (ne.value = null);
   },
   marquee(e, t, n) {
-    if (Za.value = n ? null : { from: e, to: t }, !n) return;
+    if (es.value = n ? null : { from: e, to: t }, !n) return;
     let o = zl(e, t);
-    E.value = o.length ? { kind: "lamp", ids: o } : null, K.value = null;
+    E.value = o.length ? { kind: "lamp", ids: o } : null, D.value = null;
   }
 };
-function Ja(e, t) {
+function Za(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3277,29 +3277,29 @@ var Xl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function es() {
+function ts() {
   let e = oe(null), t = oe(null), n = oe(null);
-  return Ee(() => {
+  return $e(() => {
     or(t.current);
-    let o = Xa(n.current), r = Ba(e.current, Gl);
+    let o = Ya(n.current), r = za(e.current, Gl);
     return () => {
       or(null), o(), r();
     };
-  }, []), Si(() => {
+  }, []), Mi(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), s("main", { class: "view", "aria-label": "View", children: [
     s(
       "div",
       {
-        class: K.value ? "stage tooled" : "stage",
+        class: D.value ? "stage tooled" : "stage",
         id: "view",
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
+        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Nt.value ? `, ${Nt.value}` : ""}`,
         "aria-describedby": "view-keys",
-        "data-tool": K.value ?? "",
+        "data-tool": D.value ?? "",
         children: [
           s("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
           s("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
@@ -3310,8 +3310,8 @@ function es() {
       }
     ),
     s("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    K.value && s("p", { class: "hint", role: "status", children: Xl[K.value] }),
-    s(Qa, {}),
+    D.value && s("p", { class: "hint", role: "status", children: Xl[D.value] }),
+    s(Ja, {}),
     s(ae, { part: "Legend" }),
     s(ae, { part: "CutBar" }),
     s(ae, { part: "ViewStrip" }),
@@ -3320,7 +3320,7 @@ function es() {
   ] });
 }
 function Yl() {
-  let e = Za.value;
+  let e = es.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return s("svg", { class: "rubber", "aria-hidden": "true", children: s(
@@ -3338,22 +3338,22 @@ function Yl() {
 function Ql() {
   return s(X, { children: [
     s(_a, {}),
-    s(Fa, {}),
-    s(es, {}),
+    s(qa, {}),
+    s(ts, {}),
     s("section", { class: "panel inspector", "aria-label": "Inspector", children: s(ae, { part: "Inspector" }) }),
     s("section", { class: "strip", "aria-label": "Looks and meters", children: s(ae, { part: "Strip" }) }),
-    s(Ua, {}),
+    s(Wa, {}),
     s(ae, { part: "Sheets" })
   ] });
 }
-var _t = document.getElementById("desk");
-_t.replaceChildren();
-ni(s(Ql, {}), _t);
+var yt = document.getElementById("desk");
+yt.replaceChildren();
+oi(s(Ql, {}), yt);
 T(() => {
-  _t.dataset.state = Bt.value, _t.dataset.line = U.value, _t.dataset.pen = me.value === "edit" && te.value.you && !Ie.value ? "yes" : "no";
+  yt.dataset.state = Gt.value, yt.dataset.line = U.value, yt.dataset.pen = me.value === "edit" && te.value.you && !Ae.value ? "yes" : "no";
 });
 T(() => {
-  _t.dataset.panels = sr.value ? "yes" : "no", _t.dataset.drawer = Ze.value ?? "none";
+  yt.dataset.panels = sr.value ? "yes" : "no", yt.dataset.drawer = Ze.value ?? "none";
 });
 T(() => {
   document.documentElement.dataset.theme = rr.value, document.documentElement.style.setProperty("--house", String(ir.value));
@@ -3361,14 +3361,14 @@ T(() => {
 T(() => {
   ee.value && (document.title = `${ee.value.name} – Lampyris`);
 });
-var ts = 0;
+var ns = 0;
 T(() => {
-  let [e, t] = we.value, n = Ye.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value === "open" && (clearTimeout(ts), ts = window.setTimeout(() => N({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  let [e, t] = ke.value, n = Ye.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value === "open" && (clearTimeout(ns), ns = window.setTimeout(() => F({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ma();
-Pa();
-Hi();
+ha();
+La();
+Oi();
 export {
   xn as Fade,
   gt as Field,
@@ -3382,21 +3382,21 @@ export {
   pt as across,
   Z as act,
   M as add,
-  la as addMeter,
+  ua as addMeter,
   io as adding,
-  sa as aim,
+  la as aim,
   pl as allActions,
-  Ce as ask,
+  Ee as ask,
   Bs as back,
   bn as before,
-  Ht as candles,
+  Ot as candles,
   re as chosenLamps,
   Tr as clearSolo,
   ho as closeWhat,
   lo as command,
-  _n as compareHeld,
-  he as comparing,
-  zi as compass,
+  yn as compareHeld,
+  ve as comparing,
+  Gi as compass,
   G as computed,
   nl as copyAlong,
   xr as copyText,
@@ -3406,8 +3406,8 @@ export {
   to as deselect,
   B as digits,
   ut as display,
-  Le as distance,
-  F as dot,
+  Te as distance,
+  K as dot,
   al as each,
   ce as edit,
   te as editor,
@@ -3417,8 +3417,8 @@ export {
   ll as falseColor,
   Es as filterOf,
   Ye as fine,
-  mn as fitted,
-  yn as format,
+  hn as fitted,
+  _n as format,
   zs as forth,
   vr as frameSelection,
   Il as fromHex,
@@ -3430,9 +3430,9 @@ export {
   O as groups,
   js as handles,
   Zn as hands,
-  Me as hear,
+  Ce as hear,
   ie as here,
-  Va as hex,
+  Ia as hex,
   po as highlight,
   st as history,
   ir as houseLights,
@@ -3441,10 +3441,10 @@ export {
   s as jsxs,
   ur as lampMarks,
   w as lamps,
-  on as layers,
+  an as layers,
   Fe as length,
-  Rt as listing,
-  Ie as lookOnly,
+  Ht as listing,
+  Ae as lookOnly,
   Et as looks,
   vt as luxText,
   Fs as maintenance,
@@ -3452,17 +3452,17 @@ export {
   Ke as meters,
   Ge as middle,
   Al as mired,
-  ea as nameOf,
+  ta as nameOf,
   q as normal,
-  be as output,
+  ye as output,
   Tl as padWalk,
   sr as panels,
   He as percent,
-  Vt as pinhole,
+  It as pinhole,
   rl as placed,
   ao as positionOf,
   il as positions,
-  fn as project,
+  pn as project,
   As as ray,
   fl as register,
   ol as removeLamps,
@@ -3472,43 +3472,43 @@ export {
   ee as scene,
   _e as select,
   E as selection,
-  N as send,
+  F as send,
   Zs as setCut,
   ht as sheet,
   Lt as show,
   W as shown,
   g as signal,
   lr as singleKeys,
-  _l as soloSelection,
-  ua as spacing,
+  yl as soloSelection,
+  ca as spacing,
   no as spot,
   br as startTool,
-  $e as status,
+  Le as status,
   Us as stepSelection,
   cl as storeLook,
   ul as storeView,
   Zo as stroke,
-  _o as strokeLevel,
+  yo as strokeLevel,
   A as sub,
   rr as theme,
-  ge as things,
+  be as things,
   Re as three,
   Qe as titleOf,
   Ar as toLevel,
   Ir as toTravel,
   kr as toggleFalse,
   hl as toggleWipe,
-  K as tool,
+  D as tool,
   eo as travel,
-  un as turn,
+  fn as turn,
   Sn as typeLevel,
-  Ae as up,
-  Ee as useEffect,
+  he as up,
+  $e as useEffect,
   oe as useRef,
-  Kt as viewName,
-  we as viewSize,
+  Nt as viewName,
+  ke as viewSize,
   Ct as views,
-  Ta as walkNames,
+  $a as walkNames,
   ar as walking,
   wr as wantLevel,
   et as what,

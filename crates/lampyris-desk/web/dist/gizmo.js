@@ -13,8 +13,8 @@ import {
   copyAlong as hl,
   copyText as bl,
   deselect as gl,
-  each as Et,
-  edit as Vt,
+  each as Pt,
+  edit as Et,
   exposeBy as yn,
   falseColor as fl,
   fine as kn,
@@ -56,22 +56,22 @@ import {
   toggleWipe as Nl,
   travel as En,
   views as Hl,
-  walking as Pt,
+  walking as Tt,
   whyNot as Q
 } from "./desk.js";
 var ie = () => Q() ?? (se.value.length ? null : "Select a lamp first.");
 function Dl() {
   let e = se.peek(), t = !e.some((n) => Ze.get(n)?.on);
-  Vt(`${qn(e)} ${t ? "on" : "off"}`, { lamps: Et(e, { on: t }) });
+  Et(`${qn(e)} ${t ? "on" : "off"}`, { lamps: Pt(e, { on: t }) });
 }
 function Ol() {
   let e = se.peek(), t = !e.every((n) => Ze.get(n)?.parked);
-  Vt(`${t ? "Park" : "Unpark"} ${qn(e)}`, { lamps: Et(e, { parked: t }) });
+  Et(`${t ? "Park" : "Unpark"} ${qn(e)}`, { lamps: Pt(e, { parked: t }) });
 }
 function Vn(e) {
   let t = An.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : Pn.ids.peek().filter((a) => Pn.get(a)?.hidden);
   if (!n.length) return Qe(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  Vt(e ? "Hide things" : "Show hidden things", { things: Et(n, { hidden: e }) });
+  Et(e ? "Hide things" : "Show hidden things", { things: Pt(n, { hidden: e }) });
 }
 function Wl() {
   let e = se.peek()[0], t = Ze.get(e)?.place, n = Sl();
@@ -111,7 +111,7 @@ var Bl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      Pt.value = Pt.peek() === "walk" ? "fly" : "walk", Qe(Pt.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      Tt.value = Tt.peek() === "walk" ? "fly" : "walk", Qe(Tt.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
   { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Wl, why: ie },
@@ -193,27 +193,27 @@ function Je() {
 }
 
 // src/later/compare.tsx
-import { before as zl, comparing as _l, digits as Xl, fitted as Yl, useEffect as jl, useRef as Ql, viewSize as Zl, wipeAt as At } from "./desk.js";
-import { Fragment as eo, jsx as qt, jsxs as to } from "./desk.js";
+import { before as zl, comparing as _l, digits as Xl, fitted as Yl, useEffect as jl, useRef as Ql, viewSize as Zl, wipeAt as Vt } from "./desk.js";
+import { Fragment as eo, jsx as At, jsxs as to } from "./desk.js";
 function Jl() {
   let e = _l.value, t = zl.value, n = Ql(null);
   if (jl(() => {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Zl.value, l = At.value, r = Yl(t.picture.width, t.picture.height), o = Math.max(0, Math.min(1, (l * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+  let [a] = Zl.value, l = Vt.value, r = Yl(t.picture.width, t.picture.height), o = Math.max(0, Math.min(1, (l * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
     let p = s.currentTarget;
     if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
     else if (p.hasPointerCapture(s.pointerId)) {
       let c = p.parentElement.getBoundingClientRect();
-      At.value = Math.max(0, Math.min(1, (s.clientX - c.left) / c.width));
+      Vt.value = Math.max(0, Math.min(1, (s.clientX - c.left) / c.width));
     }
   }, u = (s) => {
     let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
-    p && (s.stopPropagation(), s.preventDefault(), At.value = Math.max(0, Math.min(1, l + p)));
+    p && (s.stopPropagation(), s.preventDefault(), Vt.value = Math.max(0, Math.min(1, l + p)));
   };
   return to(eo, { children: [
-    qt(
+    At(
       "canvas",
       {
         ref: n,
@@ -222,8 +222,8 @@ function Jl() {
         style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * o}% 0 0)` : "none" }
       }
     ),
-    qt("span", { class: "tag left", children: "before" }),
-    e === "wipe" && qt(
+    At("span", { class: "tag left", children: "before" }),
+    e === "wipe" && At(
       "div",
       {
         class: "wipe",
@@ -272,7 +272,7 @@ import {
 // src/later/gizmo.ts
 import { project as In, ray as no } from "./desk.js";
 import { across as ao, add as ee, cross as lo, distance as oo, dot as ue, length as ro, normal as et, scale as te, sub as Me, turn as io } from "./desk.js";
-var so = "http://www.w3.org/2000/svg", It = 84, ge = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], tt = ["x", "y", "z"], Rn = 0.1, uo = 5 * Math.PI / 180, Fn = 48;
+var so = "http://www.w3.org/2000/svg", qt = 84, ge = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], tt = ["x", "y", "z"], Rn = 0.1, uo = 5 * Math.PI / 180, Fn = 48;
 function Hn(e, t) {
   let n = (d, b, f) => {
     let w = document.createElementNS(so, d);
@@ -285,7 +285,7 @@ function Hn(e, t) {
     return L < 0.02 && !d.hole.parallel ? null : [d.fit.x + f * d.fit.scale, d.fit.y + w * d.fit.scale];
   }, g = (d, b) => {
     let f = In(d.hole, b)[2];
-    return It / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(f, 0.02));
+    return qt / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(f, 0.02));
   }, m = (d, b, f = !1) => {
     let w = b.filter((C) => C !== null), L = w.length < b.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${f ? "Z" : ""}`;
     d.setAttribute("d", L);
@@ -295,16 +295,16 @@ function Hn(e, t) {
   function R(d, b) {
     let f = d.position, w = c(b, f), L = g(b, f), C = d.mode === "move";
     k([...i, ...o, u], C && w !== null), k(r, !C && w !== null && d.direction !== null);
-    let z = d.aim ?? (d.direction ? ee(f, te(d.direction, 3 * L)) : null);
-    if (k([s], z !== null && w !== null), !w) {
+    let _ = d.aim ?? (d.direction ? ee(f, te(d.direction, 3 * L)) : null);
+    if (k([s], _ !== null && w !== null), !w) {
       l.setAttribute("d", "");
       return;
     }
     ge.forEach((K, N) => {
       let I = c(b, ee(f, te(K, L))), he = I ? Math.hypot(I[0] - w[0], I[1] - w[1]) < 12 : !0;
       if (i[N].group.classList.toggle("gone", !C || he), I && C) {
-        let [be, Fe] = [(I[0] - w[0]) / It, (I[1] - w[1]) / It], je = Math.hypot(be, Fe) || 1, [re, Ne] = [be / je, Fe / je], Tt = [w[0] + 14 * re, w[1] + 14 * Ne];
-        m(i[N].hit, [Tt, I]), i[N].seen.setAttribute("d", `M${Tt[0].toFixed(1)} ${Tt[1].toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}M${(I[0] - 9 * re - 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne + 4.5 * re).toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}L${(I[0] - 9 * re + 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne - 4.5 * re).toFixed(1)}`);
+        let [be, Fe] = [(I[0] - w[0]) / qt, (I[1] - w[1]) / qt], je = Math.hypot(be, Fe) || 1, [re, Ne] = [be / je, Fe / je], Lt = [w[0] + 14 * re, w[1] + 14 * Ne];
+        m(i[N].hit, [Lt, I]), i[N].seen.setAttribute("d", `M${Lt[0].toFixed(1)} ${Lt[1].toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}M${(I[0] - 9 * re - 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne + 4.5 * re).toFixed(1)}L${I[0].toFixed(1)} ${I[1].toFixed(1)}L${(I[0] - 9 * re + 4.5 * Ne).toFixed(1)} ${(I[1] - 9 * Ne - 4.5 * re).toFixed(1)}`);
       }
       let [Ie, Re] = [ge[(N + 1) % 3], ge[(N + 2) % 3]], j = Math.abs(ue(K, b.hole.parallel ? b.hole.forward : et(Me(f, b.hole.eye)))) < 0.15;
       o[N].group.classList.toggle("gone", !C || j);
@@ -317,7 +317,7 @@ function Hn(e, t) {
         m(r[N].hit, be), m(r[N].seen, be);
       }
     }), y(u.hit, w, 13), y(u.seen, w, 7);
-    let q = z && c(b, z);
+    let q = _ && c(b, _);
     m(l, [w, q]), y(s.hit, q, 16), s.seen.setAttribute("d", q ? `M${q[0] - 8} ${q[1]}h16M${q[0]} ${q[1] - 8}v16M${q[0] - 5} ${q[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let B = t.effect(() => {
@@ -330,12 +330,12 @@ function Hn(e, t) {
       w.preventDefault(), w.stopPropagation();
       let L = t.view.peek();
       if (!L || !t.target.peek()) return;
-      let C = e.getBoundingClientRect(), z = f(L), q = t.hold(b), K = dn(L, w, C);
-      z(K, !1, { ...q, move: () => {
+      let C = e.getBoundingClientRect(), _ = f(L), q = t.hold(b), K = dn(L, w, C);
+      _(K, !1, { ...q, move: () => {
       }, turn: () => {
       } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
       let N = (j) => {
-        p.textContent = z(dn(L, j, C), j.ctrlKey || j.metaKey, q), p.setAttribute("x", String(j.clientX - C.left + 16)), p.setAttribute("y", String(j.clientY - C.top - 12));
+        p.textContent = _(dn(L, j, C), j.ctrlKey || j.metaKey, q), p.setAttribute("x", String(j.clientX - C.left + 16)), p.setAttribute("y", String(j.clientY - C.top - 12));
       }, I = (j) => {
         d.removeEventListener("pointermove", N), d.removeEventListener("pointerup", he), d.removeEventListener("pointercancel", Ie), removeEventListener("keydown", Re, !0), d.classList.remove("held"), p.textContent = "", j ? q.end() : q.cancel();
       }, he = () => I(!0), Ie = () => I(!1), Re = (j) => {
@@ -344,45 +344,45 @@ function Hn(e, t) {
       d.addEventListener("pointermove", N), d.addEventListener("pointerup", he), d.addEventListener("pointercancel", Ie), addEventListener("keydown", Re, !0);
     });
   }
-  let $t = (d, b, f) => f ? Math.round(d / b) * b : d, Lt = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
+  let St = (d, b, f) => f ? Math.round(d / b) * b : d, $t = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
   ge.forEach((d, b) => {
     qe(i[b].group, "move", () => {
       let f = t.target.peek().position, w = null;
-      return (L, C, z) => {
+      return (L, C, _) => {
         let q = co(f, d, L);
         w ??= q;
-        let K = te(d, $t(q - w, Rn, C));
-        return z.move(K), Lt(K);
+        let K = te(d, St(q - w, Rn, C));
+        return _.move(K), $t(K);
       };
     }), qe(o[b].group, "move", () => hn(d)), qe(r[b].group, "turn", () => {
       let f = t.target.peek(), w = f.direction, L = { at: null };
-      return (C, z, q) => {
+      return (C, _, q) => {
         let K = Nn(f.position, d, C), N = K && et(Me(K, f.position), ao(d));
         if (!N) return "";
         L.at ??= N;
-        let I = Math.atan2(ue(d, lo(L.at, N)), ue(L.at, N)), he = $t(I, uo, z);
+        let I = Math.atan2(ue(d, lo(L.at, N)), ue(L.at, N)), he = St(I, uo, _);
         return q.turn(et(io(w, d, he)), null), `${(he * 180 / Math.PI).toFixed(1)}°`;
       };
     });
   }), qe(u.group, "move", (d) => hn(d.hole.forward)), qe(s.group, "aim", (d) => {
     let b = t.target.peek(), f = b.aim ?? ee(b.position, te(b.direction, 3 * g(d, b.position))), w = bn(f, d.hole.forward);
-    return (L, C, z) => {
+    return (L, C, _) => {
       let q = w(L, C), K = ee(f, q);
-      return oo(K, b.position) > 1e-3 && z.turn(et(Me(K, b.position)), K), Lt(K);
+      return oo(K, b.position) > 1e-3 && _.turn(et(Me(K, b.position)), K), $t(K);
     };
   });
   function hn(d) {
     let b = bn(t.target.peek().position, d);
     return (f, w, L) => {
       let C = b(f, w);
-      return L.move(C), Lt(C);
+      return L.move(C), $t(C);
     };
   }
   function bn(d, b) {
     let f = null;
     return (w, L) => {
       let C = Nn(d, b, w);
-      return C ? (f ??= C, Me(C, f).map((z) => $t(z, Rn, L))) : [0, 0, 0];
+      return C ? (f ??= C, Me(C, f).map((_) => St(_, Rn, L))) : [0, 0, 0];
     };
   }
   return { stop: B };
@@ -441,7 +441,7 @@ function Ao() {
 }
 
 // src/later/inspector.tsx
-import { act as qa, deselect as Dr, Icon as Jt, selection as Or, signal as Wr } from "./desk.js";
+import { act as qa, deselect as Dr, Icon as Zt, selection as Or, signal as Wr } from "./desk.js";
 
 // src/later/measure.tsx
 import {
@@ -452,7 +452,7 @@ import {
   Icon as zn,
   length as $e,
   luxText as Oe,
-  maintenance as Rt,
+  maintenance as It,
   meters as Oo,
   selection as _n,
   spacing as Wo
@@ -546,7 +546,7 @@ function Se({ value: e, label: t, set: n }) {
 var ae = (e, t, n) => e.map((a, l) => l === t ? n(a) : a);
 
 // src/later/measure.tsx
-import { Fragment as Ft, jsx as T, jsxs as U } from "./desk.js";
+import { Fragment as Rt, jsx as T, jsxs as U } from "./desk.js";
 var Go = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["camera", "toward the camera"]];
 function Xn() {
   let e = _n.value?.ids[0], t = Oo.get(e);
@@ -555,9 +555,9 @@ function Xn() {
     let { lux: r, ...o } = { ...t, ...l };
     lt(`${t.name}: ${a}`, { meters: { [e]: o } });
   };
-  return U(Ft, { children: [
+  return U(Rt, { children: [
     T("header", { class: "panel-head", children: T(Se, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    T("p", { class: "crumbs", children: t.lux ? `${Oe(t.lux[0] * Rt.value)} ±${Oe(t.lux[1] * Rt.value, !1)}` : "measuring" }),
+    T("p", { class: "crumbs", children: t.lux ? `${Oe(t.lux[0] * It.value)} ±${Oe(t.lux[1] * It.value, !1)}` : "measuring" }),
     T("div", { class: "scroll", children: U(V, { title: "Meter", children: [
       U("label", { class: "line", children: [
         T("span", { children: "Measures" }),
@@ -578,17 +578,17 @@ var Kn = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["
 function Yn() {
   let e = _n.value?.ids[0], t = Do.get(e);
   if (!t) return T("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = Rt.value, a = (i, u) => {
+  let n = It.value, a = (i, u) => {
     let { name: s, corner: p, u: c, v: g, normal: m, columns: y, rows: k, target: R } = { ...t, ...u };
     lt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: m, columns: y, rows: k, target: R } } });
   }, l = () => {
     let i = Wo(Math.max($e(t.u), $e(t.v)));
     a("standard spacing", { columns: Math.max(1, Math.ceil($e(t.u) / i)), rows: Math.max(1, Math.ceil($e(t.v) / i)) });
-  }, r = (i, u, s) => U(Ft, { children: [
+  }, r = (i, u, s) => U(Rt, { children: [
     T("dt", { children: i }),
     T("dd", { children: u === null ? "…" : s(u) })
   ] }), o = t.target ?? { lux: 500, uniformity: 0.6 };
-  return U(Ft, { children: [
+  return U(Rt, { children: [
     T("header", { class: "panel-head", children: T(Se, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
     U("p", { class: "crumbs", children: [
       fe($e(t.u), 2),
@@ -649,29 +649,29 @@ import {
   act as ye,
   chosenLamps as nr,
   copyAlong as ar,
-  dot as Wt,
+  dot as Ot,
   edit as it,
   format as ra,
   groups as st,
   handles as ot,
   Icon as Te,
-  lamps as Ut,
+  lamps as Kt,
   layers as lr,
   normal as ia,
   output as sa,
-  percent as Kt,
+  percent as Bt,
   placed as or,
   positionOf as ea,
   positions as rr,
-  selection as Gt,
+  selection as Wt,
   signal as ua,
   spot as ir,
   sub as ta,
-  titleOf as zt,
+  titleOf as Ut,
   tool as sr,
   toLevel as na,
   toTravel as ur,
-  typeLevel as Bt,
+  typeLevel as Gt,
   up as cr,
   Fade as pr,
   Field as mr,
@@ -698,7 +698,7 @@ import {
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Bo, mired as Nt } from "./desk.js";
+import { css as Bo, mired as Ft } from "./desk.js";
 function Ko(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
@@ -713,29 +713,29 @@ function Uo(e) {
 }
 function jn(e, t, n = 9) {
   return `linear-gradient(to right, ${Array.from({ length: n }, (l, r) => {
-    let o = Nt(e) + (Nt(t) - Nt(e)) * r / (n - 1);
+    let o = Ft(e) + (Ft(t) - Ft(e)) * r / (n - 1);
     return Bo(Ko(...Uo(1e6 / o)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as Dt, jsx as H, jsxs as ce } from "./desk.js";
-var We = 1800, Ot = 1e4, Qo = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Zo = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Jo = jn(We, Ot), Ht = (e, t) => ({
+import { Fragment as Ht, jsx as H, jsxs as ce } from "./desk.js";
+var We = 1800, Dt = 1e4, Qo = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Zo = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Jo = jn(We, Dt), Nt = (e, t) => ({
   lamps: Object.fromEntries(e.map((n) => [n, { color: t(Zn.get(n).color) }]))
 }), er = (e) => {
-  let t = 1e6 / (ve(We) + (ve(Ot) - ve(We)) * e);
+  let t = 1e6 / (ve(We) + (ve(Dt) - ve(We)) * e);
   return Math.round(t / 10) * 10;
-}, tr = (e) => (ve(e) - ve(We)) / (ve(Ot) - ve(We));
+}, tr = (e) => (ve(e) - ve(We)) / (ve(Dt) - ve(We));
 function Jn() {
   let e = zo.value, t = e.map((o) => Zn.get(o)?.color).filter((o) => o !== void 0);
   if (!t.length) return null;
-  let n = W(t.map((o) => o.mode)), a = t[0], l = jo(e), r = (o, i) => _o(`${l}: ${o}`, Ht(e, i));
-  return ce(Dt, { children: [
+  let n = W(t.map((o) => o.mode)), a = t[0], l = jo(e), r = (o, i) => _o(`${l}: ${o}`, Nt(e, i));
+  return ce(Ht, { children: [
     ce("div", { class: "line", children: [
       H("span", { children: "Colour" }),
       H("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Zo.map(([o, i]) => H("button", { "aria-pressed": n === o, onClick: () => r(`colour by ${i}`, () => ({ mode: o })), children: i }, o)) })
     ] }),
-    n === "kelvin" && ce(Dt, { children: [
+    n === "kelvin" && ce(Ht, { children: [
       ce("div", { class: "line slide", children: [
         H("span", { children: "White" }),
         H(
@@ -747,7 +747,7 @@ function Jn() {
             style: Jo,
             value: tr(a.kelvin),
             text: `${Qn(a.kelvin)} kelvin`,
-            patch: (o) => Ht(e, () => ({ mode: "kelvin", kelvin: er(o) }))
+            patch: (o) => Nt(e, () => ({ mode: "kelvin", kelvin: er(o) }))
           }
         )
       ] }),
@@ -774,13 +774,13 @@ function Jn() {
             text: `${Qn(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (o) => Ht(e, () => ({ tint: Math.round((o * 40 - 20) * 2) / 2 }))
+            patch: (o) => Nt(e, () => ({ tint: Math.round((o * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
       H(A, { label: "", quantity: "number", value: W(t.map((o) => o.tint)), step: 1, set: (o) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, o(i.tint))) })) })
     ] }),
-    n === "rgb" && ce(Dt, { children: [
+    n === "rgb" && ce(Ht, { children: [
       ce("label", { class: "line", children: [
         H("span", { children: "Colour" }),
         H("input", { type: "color", class: "pick", "aria-label": "Colour", value: Yo(a.rgb), onChange: (o) => r("colour", () => ({ mode: "rgb", rgb: Xo(o.currentTarget.value) })) })
@@ -816,11 +816,11 @@ function Jn() {
 }
 
 // src/later/lamp.tsx
-import { Fragment as _t, jsx as v, jsxs as D } from "./desk.js";
+import { Fragment as zt, jsx as v, jsxs as D } from "./desk.js";
 var Le = ua(1), rt = ua([1, 0, 0]), gr = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], ct = 180 / Math.PI;
 function oa(e, t) {
-  let { right: n, ahead: a } = ca(t), l = -Wt(e, t);
-  return [Math.atan2(Wt(e, n), Wt(e, a)) * ct, Math.asin(Math.max(-1, Math.min(1, l))) * ct];
+  let { right: n, ahead: a } = ca(t), l = -Ot(e, t);
+  return [Math.atan2(Ot(e, n), Ot(e, a)) * ct, Math.asin(Math.max(-1, Math.min(1, l))) * ct];
 }
 function fr(e, t, n) {
   let { right: a, ahead: l } = ca(n), [r, o] = [e / ct, t / ct], i = ut(Pe(a, Math.sin(r)), Pe(l, Math.cos(r)));
@@ -838,7 +838,7 @@ function vr({ ids: e, all: t }) {
     v("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => ye("frame"), children: v(Te, { name: "frame" }) }),
     v("span", { class: "gap" }),
     v("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => ye("park"), children: "Park" }),
-    v("button", { class: "icon", "aria-label": `Remove ${zt(e)}`, title: "Remove (Del)", onClick: () => ye("remove"), children: v(Te, { name: "bin" }) })
+    v("button", { class: "icon", "aria-label": `Remove ${Ut(e)}`, title: "Remove (Del)", onClick: () => ye("remove"), children: v(Te, { name: "bin" }) })
   ] });
 }
 function yr({ ids: e, all: t }) {
@@ -858,7 +858,7 @@ function yr({ ids: e, all: t }) {
           value: n,
           flux: W(t.map((o) => o.flux)) ?? void 0,
           step: 0.01,
-          set: (o) => Bt(e, o),
+          set: (o) => Gt(e, o),
           open: aa.value,
           opened: () => aa.value = "",
           id: "level"
@@ -871,24 +871,24 @@ function yr({ ids: e, all: t }) {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (o) => Bt(e, (i, u) => o(i * u) / u)
+        set: (o) => Gt(e, (i, u) => o(i * u) / u)
       }
     ),
     D("div", { class: "line", children: [
       v("span", { children: "Stops" }),
-      v("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: gr.map(([o, i]) => v("button", { "aria-label": `${i} stop`, onClick: () => Bt(e, (u) => Math.min(1e3, u * 2 ** o)), children: i }, i)) })
+      v("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: gr.map(([o, i]) => v("button", { "aria-label": `${i} stop`, onClick: () => Gt(e, (u) => Math.min(1e3, u * 2 ** o)), children: i }, i)) })
     ] }),
     D("p", { class: "sum", children: [
       ra(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && (st.get(t[0].group)?.level ?? 1) !== 1 && ` (${Kt(t[0].level)} % × ${Kt(st.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && (st.get(t[0].group)?.level ?? 1) !== 1 && ` (${Bt(t[0].level)} % × ${Bt(st.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
     v(Jn, {})
   ] });
 }
 function kr({ id: e }) {
-  let t = br(null), n = Ut.get(e);
+  let t = br(null), n = Kt.get(e);
   if (!n) return null;
   let a = { kind: "lamp", id: e }, l = (r) => () => {
     t.current?.[r](), t.current = null;
@@ -898,7 +898,7 @@ function kr({ id: e }) {
     {
       label: "Level",
       value: ur(n.level),
-      text: `${Kt(n.level)} %, ${ra(n.flux * sa(n), "flux")}`,
+      text: `${Bt(n.level)} %, ${ra(n.flux * sa(n), "flux")}`,
       begin: () => t.current = new pr(a),
       on: (r) => t.current ? t.current.to(na(r)) : la(a, na(r)),
       end: l("end"),
@@ -910,15 +910,15 @@ function kr({ id: e }) {
 function Ge(e, t, n) {
   let a = {};
   for (let l of e) {
-    let r = Ut.get(l), o = n(r.place ?? {}, r);
+    let r = Kt.get(l), o = n(r.place ?? {}, r);
     o && (a[l] = { place: o });
   }
-  Object.keys(a).length && it(`${zt(e)}: ${t}`, { lamps: a });
+  Object.keys(a).length && it(`${Ut(e)}: ${t}`, { lamps: a });
 }
 function wr({ ids: e, all: t }) {
   let n = (l) => W(t.map((r) => r.place?.[l] ?? null)), a = (l) => t.some((r) => r.place?.[l] != null);
   return !a("outer") && !a("radius") ? null : D(V, { title: "Beam", note: "re-trace", children: [
-    a("outer") && D(_t, { children: [
+    a("outer") && D(zt, { children: [
       v(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (l) => Ge(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, l(r.inner ?? r.outer))) }) }),
       v(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (l) => Ge(e, "beam", (r) => {
         if (r.outer == null) return null;
@@ -938,7 +938,7 @@ function xr({ ids: e, all: t }) {
       let B = [0, 0, 0];
       B[c] = g(R[c]) - R[c], Object.assign(y, or([k], B, m).lamps);
     }
-    it(`Move ${zt(e)}`, { lamps: y });
+    it(`Move ${Ut(e)}`, { lamps: y });
   }, p = (c, g) => Ge(e, c ? "tilt" : "pan", (m) => {
     if (!m.direction) return null;
     let y = oa(m.direction, o);
@@ -948,7 +948,7 @@ function xr({ ids: e, all: t }) {
   });
   return D(V, { title: "Place", note: "re-trace", children: [
     v(Z, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => l(c, a)), set: s }),
-    r.length > 0 && D(_t, { children: [
+    r.length > 0 && D(zt, { children: [
       v(A, { label: "Pan", quantity: "angle", step: 1, value: W(i.map((c) => c[0])), set: (c) => p(0, c) }),
       v(A, { label: "Tilt", quantity: "angle", step: 1, value: W(i.map((c) => c[1])), set: (c) => p(1, c) }),
       v(
@@ -987,11 +987,11 @@ function Mr({ ids: e, all: t }) {
   ] });
 }
 function pa() {
-  let e = nr.value, t = e.map((o) => Ut.get(o)).filter((o) => !!o);
+  let e = nr.value, t = e.map((o) => Kt.get(o)).filter((o) => !!o);
   if (!t.length) return v("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && st.get(n.group), l = Gt.value?.kind === "group" ? st.get(Gt.value.ids[0]) : void 0, r = n?.layer != null ? lr.value[n.layer] : void 0;
-  return D(_t, { children: [
-    v("header", { class: "panel-head", children: n ? v(Se, { label: "Name of the lamp", value: n.name, set: (o) => it(`Rename ${n.name}`, { lamps: { [e[0]]: { name: o } } }) }) : l ? v(Se, { label: "Name of the group", value: l.name, set: (o) => it(`Rename ${l.name}`, { groups: { [Gt.value.ids[0]]: { name: o } } }) }) : D("h2", { children: [
+  let n = t.length === 1 ? t[0] : null, a = n && st.get(n.group), l = Wt.value?.kind === "group" ? st.get(Wt.value.ids[0]) : void 0, r = n?.layer != null ? lr.value[n.layer] : void 0;
+  return D(zt, { children: [
+    v("header", { class: "panel-head", children: n ? v(Se, { label: "Name of the lamp", value: n.name, set: (o) => it(`Rename ${n.name}`, { lamps: { [e[0]]: { name: o } } }) }) : l ? v(Se, { label: "Name of the group", value: l.name, set: (o) => it(`Rename ${l.name}`, { groups: { [Wt.value.ids[0]]: { name: o } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
@@ -1010,7 +1010,7 @@ function pa() {
 
 // src/later/scene.tsx
 import {
-  act as Xt,
+  act as _t,
   candles as pt,
   command as Cr,
   digits as dt,
@@ -1155,22 +1155,22 @@ function Ma() {
       e.steps === 1 ? "One step" : `${dt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Xt("undo"), children: [
+    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => _t("undo"), children: [
       x(ht, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Xt("redo"), children: [
+    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => _t("redo"), children: [
       x(ht, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    x("button", { class: "plain full", onClick: () => Xt("save"), children: "Save a version with a name…" }),
+    x("button", { class: "plain full", onClick: () => _t("save"), children: "Save a version with a name…" }),
     x("button", { class: "plain full", onClick: () => Cr({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as Yt,
+  digits as Xt,
   edit as La,
   fromHex as Fr,
   hex as Nr,
@@ -1179,39 +1179,39 @@ import {
   middle as Sa,
   select as Pa,
   selection as Ea,
-  things as jt
+  things as Yt
 } from "./desk.js";
-import { Fragment as Zt, jsx as S, jsxs as _ } from "./desk.js";
-var Qt = 180 / Math.PI;
+import { Fragment as Qt, jsx as S, jsxs as X } from "./desk.js";
+var jt = 180 / Math.PI;
 function $a(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * Qt : 0;
+  return e ? 2 * Math.atan2(e[t], e[3]) * jt : 0;
 }
 function Hr(e, t) {
-  let n = [0, 0, 0, Math.cos(t / Qt / 2)];
-  return n[e] = Math.sin(t / Qt / 2), n;
+  let n = [0, 0, 0, Math.cos(t / jt / 2)];
+  return n[e] = Math.sin(t / jt / 2), n;
 }
 function Va() {
-  let e = (Ea.value?.ids ?? []).filter((u) => jt.get(u)), t = e.map((u) => jt.get(u));
+  let e = (Ea.value?.ids ?? []).filter((u) => Yt.get(u)), t = e.map((u) => Yt.get(u));
   if (!t.length) return S("p", { class: "quiet empty", children: "This thing is gone." });
   let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, l = t.some((u) => u.locked), r = (u, s) => La(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), o = t.map((u) => u.place?.position ?? (u.box ? Sa(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
-  return _(Zt, { children: [
+  return X(Qt, { children: [
     S("header", { class: "panel-head", children: S("h2", { children: a }) }),
-    i && _("p", { class: "crumbs", children: [
-      i.map((u) => Yt(u, 2)).join(" × "),
+    i && X("p", { class: "crumbs", children: [
+      i.map((u) => Xt(u, 2)).join(" × "),
       " m"
     ] }),
-    _("div", { class: "scroll", children: [
-      _("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        _("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+    X("div", { class: "scroll", children: [
+      X("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
+        X("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
           S(Ca, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        _("button", { "aria-pressed": l, onClick: () => r(l ? "unlock" : "lock", () => ({ locked: !l })), children: [
+        X("button", { "aria-pressed": l, onClick: () => r(l ? "unlock" : "lock", () => ({ locked: !l })), children: [
           S(Ca, { name: l ? "lock" : "unlock" }),
           l ? "Locked" : "Lock"
         ] })
       ] }),
-      _(V, { title: "Place", note: "re-trace", children: [
+      X(V, { title: "Place", note: "re-trace", children: [
         l && S("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
         S(
           Z,
@@ -1255,41 +1255,41 @@ function Va() {
 function Aa() {
   let e = Ea.value?.ids[0], t = Ta.get(e);
   if (!t) return S("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => La(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", l = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], o = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(l), i = (s) => l.map((p) => Math.max(0, Math.min(1, o > 1e-4 ? p / o * s : s))), u = (s, p) => t[p] != null && _(Zt, { children: [
-    _("div", { class: "line slide", children: [
+  let n = (s, p) => La(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", l = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], o = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(l), i = (s) => l.map((p) => Math.max(0, Math.min(1, o > 1e-4 ? p / o * s : s))), u = (s, p) => t[p] != null && X(Qt, { children: [
+    X("div", { class: "line slide", children: [
       S("span", { children: s }),
-      S(Ce, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Yt(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
+      S(Ce, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Xt(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
     S(A, { label: "", quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
   ] });
-  return _(Zt, { children: [
+  return X(Qt, { children: [
     S("header", { class: "panel-head", children: S("h2", { children: t.name }) }),
     S("p", { class: "crumbs", children: t.kind }),
-    _("div", { class: "scroll", children: [
-      _(V, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
-        _("div", { class: "line slide", children: [
+    X("div", { class: "scroll", children: [
+      X(V, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
+        X("div", { class: "line slide", children: [
           S("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          S(Ce, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: o, text: Yt(o, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+          S(Ce, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: o, text: Xt(o, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
         S(A, { label: "", quantity: "share", step: 0.01, value: Math.round(o * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(o))) }) }),
-        _("label", { class: "line", children: [
+        X("label", { class: "line", children: [
           S("span", { children: "Colour" }),
           S("input", { type: "color", class: "pick", "aria-label": "Colour", value: Nr(l), onChange: (s) => n("colour", { [a]: Fr(s.currentTarget.value) }) })
         ] }),
         u("Roughness", "roughness"),
         u("Gloss", "specular")
       ] }),
-      S(V, { title: "On", children: S("ul", { class: "buttons", children: jt.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => S("li", { children: S("button", { onClick: () => Pa("thing", s), children: p.name }) }, s)) }) })
+      S(V, { title: "On", children: S("ul", { class: "buttons", children: Yt.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => S("li", { children: S("button", { onClick: () => Pa("thing", s), children: p.name }) }, s)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as Ia, jsx as O, jsxs as en } from "./desk.js";
+import { Fragment as Ia, jsx as O, jsxs as Jt } from "./desk.js";
 var Be = ["Scene", "Things", "Materials", "History"], pe = Wr("Scene");
 function Gr() {
   let e = { Scene: ya, Things: wa, Materials: xa, History: Ma }[pe.value];
-  return en(Ia, { children: [
+  return Jt(Ia, { children: [
     O("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
       let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
       a && (n.preventDefault(), n.stopPropagation(), pe.value = Be[(Be.indexOf(pe.value) + a + Be.length) % Be.length], document.getElementById(`tab-${pe.value}`)?.focus());
@@ -1299,13 +1299,13 @@ function Gr() {
 }
 function Br() {
   let e = Or.value;
-  return e ? en(Ia, { children: [
-    en("nav", { class: "chooser", "aria-label": "Selection", children: [
-      O("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => qa("previous"), children: O(Jt, { name: "back" }) }),
-      O("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => qa("next"), children: O(Jt, { name: "forth" }) }),
+  return e ? Jt(Ia, { children: [
+    Jt("nav", { class: "chooser", "aria-label": "Selection", children: [
+      O("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => qa("previous"), children: O(Zt, { name: "back" }) }),
+      O("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => qa("next"), children: O(Zt, { name: "forth" }) }),
       O("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
       O("span", { class: "gap" }),
-      O("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Dr, children: O(Jt, { name: "close" }) })
+      O("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Dr, children: O(Zt, { name: "close" }) })
     ] }),
     (e.kind === "lamp" || e.kind === "group") && O(pa, {}),
     e.kind === "thing" && O(Va, {}),
@@ -1317,17 +1317,17 @@ function Br() {
 
 // src/later/legend.tsx
 import { candles as Kr, display as Ur, Field as zr, show as _r, three as Xr, useRef as Yr } from "./desk.js";
-import { jsx as X, jsxs as gt } from "./desk.js";
-var tn = [1, 2, 5];
+import { jsx as Y, jsxs as gt } from "./desk.js";
+var en = [1, 2, 5];
 function jr(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let l = (t - e) / 5, r = 10 ** Math.floor(Math.log10(l)), o = r * (tn.find((i) => i * r >= l) ?? 10);
+    let l = (t - e) / 5, r = 10 ** Math.floor(Math.log10(l)), o = r * (en.find((i) => i * r >= l) ?? 10);
     for (let i = Math.ceil(e / o) * o; i <= t * 1.0001; i += o) a.push(i);
     return a;
   }
   for (let l = Math.floor(Math.log10(e)); l <= Math.ceil(Math.log10(t)); l++)
-    for (let r of tn) {
+    for (let r of en) {
       let o = r * 10 ** l;
       o >= e * 0.999 && o <= t * 1.001 && a.push(o);
     }
@@ -1342,7 +1342,7 @@ var le = (e, t) => {
 };
 function Ra(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
-  return tn[a] * 10 ** ((n - a) / 3);
+  return en[a] * 10 ** ((n - a) / 3);
 }
 function Zr() {
   let e = Ur.value.false_color, t = Yr(null);
@@ -1362,7 +1362,7 @@ function Zr() {
       g && (c.preventDefault(), c.stopPropagation(), le(e, { [p]: Ra(e[p], g) }));
     }
   }), s = ({ end: p }) => gt("div", { class: "end", children: [
-    X(
+    Y(
       "span",
       {
         class: "grip",
@@ -1376,7 +1376,7 @@ function Zr() {
         ...u(p)
       }
     ),
-    X(
+    Y(
       zr,
       {
         label: p === "low" ? "Lower end" : "Upper end",
@@ -1388,7 +1388,7 @@ function Zr() {
   ] });
   return gt("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
     gt("header", { children: [
-      X(
+      Y(
         "button",
         {
           "aria-label": `Quantity: ${a ? "illuminance" : "luminance"}`,
@@ -1396,22 +1396,22 @@ function Zr() {
           children: l
         }
       ),
-      X("button", { "aria-pressed": e.scale === "log", onClick: () => le(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      X("button", { "aria-pressed": e.lines, onClick: () => le(e, { lines: !e.lines }), children: "lines" })
+      Y("button", { "aria-pressed": e.scale === "log", onClick: () => le(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      Y("button", { "aria-pressed": e.lines, onClick: () => le(e, { lines: !e.lines }), children: "lines" })
     ] }),
-    X(s, { end: "high" }),
-    X("div", { class: "scale", style: { background: i }, children: jr(e.low, e.high, e.scale).map((p) => X("span", { style: { bottom: `${100 * Qr(p, e)}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
-    X(s, { end: "low" }),
+    Y(s, { end: "high" }),
+    Y("div", { class: "scale", style: { background: i }, children: jr(e.low, e.high, e.scale).map((p) => Y("span", { style: { bottom: `${100 * Qr(p, e)}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
+    Y(s, { end: "low" }),
     gt("footer", { children: [
-      X("button", { onClick: () => le(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-      X("button", { onClick: () => le(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
-      X(
+      Y("button", { onClick: () => le(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+      Y("button", { onClick: () => le(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
+      Y(
         "select",
         {
           "aria-label": "Palette",
           value: e.palette,
           onChange: (p) => le(e, { palette: p.currentTarget.value }),
-          children: e.palettes?.map((p) => X("option", { children: p }, p)) ?? X("option", { children: e.palette })
+          children: e.palettes?.map((p) => Y("option", { children: p }, p)) ?? Y("option", { children: e.palette })
         }
       )
     ] })
@@ -1420,7 +1420,7 @@ function Zr() {
 
 // src/later/sheets.tsx
 import {
-  allActions as ln,
+  allActions as an,
   act as Ka,
   ask as si,
   command as ui,
@@ -1429,7 +1429,7 @@ import {
   go as mi,
   hear as di,
   lamps as hi,
-  say as on,
+  say as ln,
   select as bi,
   send as vt,
   sheet as Ue,
@@ -1465,20 +1465,20 @@ function ai() {
 `) + `\r
 `;
 }
-function nn(e, t) {
+function tn(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
 function Da() {
   let e = URL.createObjectURL(new Blob([ai()], { type: "text/csv" }));
-  nn(`${Ha.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+  tn(`${Ha.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Ga = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], ft = new Uint8Array(512), an = new Uint8Array(256);
+var Ga = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], ft = new Uint8Array(512), nn = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  ft[e] = ft[e + 255] = t, an[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var Oa = (e, t) => e && t ? ft[an[e] + an[t]] : 0;
+  ft[e] = ft[e + 255] = t, nn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var Oa = (e, t) => e && t ? ft[nn[e] + nn[t]] : 0;
 function li(e, t) {
   let n = [1];
   for (let l = 0; l < t; l++) {
@@ -1625,7 +1625,7 @@ var yi = [
   ["Leave what is open", "", "Esc", ""]
 ];
 function ki() {
-  let e = [...new Set(ln().map((t) => t.group))];
+  let e = [...new Set(an().map((t) => t.group))];
   return h(_e, { title: "All keys", wide: !0, children: $("div", { class: "help", children: [
     $("table", { children: [
       h("caption", { class: "spoken", children: "By hand" }),
@@ -1645,7 +1645,7 @@ function ki() {
     $("div", { class: "columns", children: [
       e.map((t) => $("section", { children: [
         h("h3", { children: t }),
-        h("dl", { children: ln().filter((n) => n.group === t && n.keys).map((n) => $(Ti, { children: [
+        h("dl", { children: an().filter((n) => n.group === t && n.keys).map((n) => $(Ti, { children: [
           h("dt", { children: n.label }),
           h("dd", { children: h("kbd", { children: n.keys }) })
         ] })) })
@@ -1668,7 +1668,7 @@ function ki() {
 }
 var yt = ze(""), Ke = ze(0);
 function wi() {
-  let e = yt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((l) => a.toLowerCase().includes(l)), n = ln().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: vi(a.id), run: () => Ka(a.id) }));
+  let e = yt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((l) => a.toLowerCase().includes(l)), n = an().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: vi(a.id), run: () => Ka(a.id) }));
   for (let { name: a, camera: l } of Je())
     t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => mi(l, a) });
   if (e.length)
@@ -1686,7 +1686,7 @@ function xi() {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
   let n = (a) => {
-    a && (Ue.value = null, a.why ? on(a.why, "warn") : setTimeout(a.run, 0));
+    a && (Ue.value = null, a.why ? ln(a.why, "warn") : setTimeout(a.run, 0));
   };
   return $(_e, { title: "Command palette", children: [
     h(
@@ -1773,7 +1773,7 @@ function Si() {
   let e = wt(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    ui({ do: "save", name: n }), Ue.value = null, on(`Saving the version “${n}”.`);
+    ui({ do: "save", name: n }), Ue.value = null, ln(`Saving the version “${n}”.`);
   };
   return $(_e, { title: "Save a version", children: [
     h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
@@ -1790,9 +1790,9 @@ function $i() {
     oe.value = 0;
     let [l, r] = [Number(n("width")), Number(n("height"))];
     si("picture", { format: n("format"), width: l, height: r, batches: Number(n("batches")) }, (o) => {
-      o.url ? (oe.value = null, nn(o.name, o.url), Ue.value = null) : oe.value = o.progress ?? 0;
+      o.url ? (oe.value = null, tn(o.name, o.url), Ue.value = null) : oe.value = o.progress ?? 0;
     }, (o) => {
-      oe.value = null, on(o, "warn");
+      oe.value = null, ln(o, "warn");
     });
   };
   return $(_e, { title: "Save the picture", children: [
@@ -1845,7 +1845,7 @@ function Li() {
 import {
   act as za,
   command as Za,
-  digits as rn,
+  digits as on,
   fade as xt,
   Field as Pi,
   grids as _a,
@@ -1857,16 +1857,16 @@ import {
   select as ja,
   selection as Mt,
   signal as Vi,
-  status as sn,
+  status as rn,
   storeLook as Ai
 } from "./desk.js";
 import { Fragment as Ni, jsx as M, jsxs as F } from "./desk.js";
-var un = Vi("looks");
+var sn = Vi("looks");
 function qi() {
   return F("section", { class: "looks", "aria-label": "Looks", children: [
     F("header", { children: [
       M("h2", { children: "Looks" }),
-      M("button", { class: "tab", onClick: () => un.value = "meters", children: "Meters" }),
+      M("button", { class: "tab", onClick: () => sn.value = "meters", children: "Meters" }),
       M("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Ai, children: M(Ae, { name: "plus" }) }),
       M("span", { class: "gap" }),
       F("label", { class: "tint", children: [
@@ -1906,18 +1906,18 @@ function Ii({ id: e, name: t }) {
     ] })
   ] });
 }
-var Qa = () => sn.value?.stage === "moving" || sn.value?.stage === "refining" || sn.value?.stage === "loading";
+var Qa = () => rn.value?.stage === "moving" || rn.value?.stage === "refining" || rn.value?.stage === "loading";
 function Ri() {
   let e = Ei.value;
   return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
     F("header", { children: [
       M("h2", { children: "Meters" }),
-      M("button", { class: "tab", onClick: () => un.value = "looks", children: "Looks" }),
+      M("button", { class: "tab", onClick: () => sn.value = "looks", children: "Looks" }),
       M("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => za("meter-tool"), children: M(Ae, { name: "meter" }) }),
       M("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => za("grid"), children: M(Ae, { name: "grid" }) }),
       M("button", { onClick: Da, title: "Save all figures as CSV", children: "CSV" }),
       M("span", { class: "gap" }),
-      M("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${rn(e, 2)} maintained` })
+      M("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${on(e, 2)} maintained` })
     ] }),
     F("ul", { children: [
       Ya.all().map(([t, n]) => {
@@ -1947,13 +1947,13 @@ function Ri() {
           M("strong", { class: Qa() ? "unsettled" : "", children: n.mean === null ? "…" : `Ē ${Ve(n.mean * e)}` }),
           F("small", { children: [
             "U₀ ",
-            n.uniformity === null ? "…" : rn(n.uniformity, 2),
+            n.uniformity === null ? "…" : on(n.uniformity, 2),
             " · ",
             n.min === null ? "…" : Ve(n.min * e, !1),
             " to",
             " ",
             n.max === null ? "…" : Ve(n.max * e, !1),
-            a ? ` · wants ${Ve(a.lux)}, U₀ ${rn(a.uniformity, 2)}` : ""
+            a ? ` · wants ${Ve(a.lux)}, U₀ ${on(a.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
@@ -1962,7 +1962,7 @@ function Ri() {
   ] });
 }
 function Fi() {
-  return F("div", { class: "strip-parts", "data-tab": un.value, children: [
+  return F("div", { class: "strip-parts", "data-tab": sn.value, children: [
     M(qi, {}),
     M(Ri, {})
   ] });
@@ -1974,17 +1974,17 @@ import {
   display as Di,
   Field as Ja,
   go as Oi,
-  houseLights as cn,
+  houseLights as un,
   Item as ke,
   Range as Wi,
-  show as pn,
+  show as cn,
   theme as el,
   walking as Gi
 } from "./desk.js";
-import { Fragment as mn, jsx as P, jsxs as me } from "./desk.js";
+import { Fragment as pn, jsx as P, jsxs as me } from "./desk.js";
 function Bi() {
   let e = Je();
-  return me(mn, { children: [
+  return me(pn, { children: [
     ["home", "frame", "inside", "back", "forth", "store-view"].map((t) => P(ke, { id: t }, t)),
     P("hr", {}),
     ["plan", "ceiling", "north", "east", "south", "west"].map((t) => P(ke, { id: `preset-${t}` }, t)),
@@ -2000,20 +2000,20 @@ function Bi() {
 var Ki = ["linear", "reinhard", "filmic"];
 function Ui() {
   let e = Di.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return me(mn, { children: [
+  return me(pn, { children: [
     me("fieldset", { children: [
       P("legend", { children: "Tone curve" }),
-      P("div", { class: "segments", children: Ki.map((n) => P("button", { "aria-pressed": e.tone === n, onClick: () => pn({ tone: n }), children: n }, n)) })
+      P("div", { class: "segments", children: Ki.map((n) => P("button", { "aria-pressed": e.tone === n, onClick: () => cn({ tone: n }), children: n }, n)) })
     ] }),
     me("fieldset", { children: [
       P("legend", { children: "White balance" }),
       me("label", { class: "line", children: [
         P("span", { children: "White" }),
-        P(Ja, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => pn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+        P(Ja, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => cn({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
       me("label", { class: "line", children: [
         P("span", { children: "Tint" }),
-        P(Ja, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => pn({ white: { ...t, tint: n(t.tint) } }) })
+        P(Ja, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => cn({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
     P("hr", {}),
@@ -2021,10 +2021,10 @@ function Ui() {
   ] });
 }
 function zi() {
-  return me(mn, { children: [
+  return me(pn, { children: [
     me("label", { class: "line", children: [
       P("span", { children: "House lights" }),
-      P(Wi, { label: "House lights", value: cn.value, text: `${Hi(cn.value * 100)} %`, on: (e) => cn.value = Math.max(0.3, e) })
+      P(Wi, { label: "House lights", value: un.value, text: `${Hi(un.value * 100)} %`, on: (e) => un.value = Math.max(0.3, e) })
     ] }),
     P("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => P("button", { "aria-pressed": el.value === e, onClick: () => el.value = e, children: e }, e)) }),
     P("hr", {}),
@@ -2034,16 +2034,16 @@ function zi() {
 
 // src/later/views.tsx
 import { act as Ct, cut as _i, digits as tl, edit as nl, go as Xi, Icon as Xe, Range as Yi, setCut as ji, storeView as Qi, viewName as Zi, views as Ji } from "./desk.js";
-import { jsx as Y, jsxs as St } from "./desk.js";
+import { jsx as z, jsxs as mn } from "./desk.js";
 function es() {
   let e = Ji.all();
-  return St("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    Y("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Ct("home"), children: Y(Xe, { name: "home" }) }),
-    Y("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Ct("frame"), children: Y(Xe, { name: "frame" }) }),
-    Y("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Ct("back"), children: Y(Xe, { name: "back" }) }),
-    Y("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Ct("forth"), children: Y(Xe, { name: "forth" }) }),
-    Y("span", { class: "divide" }),
-    e.map(([t, n], a) => St(
+  return mn("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    z("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Ct("home"), children: z(Xe, { name: "home" }) }),
+    z("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Ct("frame"), children: z(Xe, { name: "frame" }) }),
+    z("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Ct("back"), children: z(Xe, { name: "back" }) }),
+    z("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Ct("forth"), children: z(Xe, { name: "forth" }) }),
+    z("span", { class: "divide" }),
+    e.map(([t, n], a) => mn(
       "button",
       {
         class: "saved-view",
@@ -2058,34 +2058,33 @@ function es() {
           l.key === "Delete" && (l.stopPropagation(), nl(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
-          Y("small", { children: a + 1 }),
+          z("small", { children: a + 1 }),
           " ",
           n.name ?? `View ${t + 1}`
         ]
       },
       t
     )),
-    Y("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Qi, children: Y(Xe, { name: "plus" }) })
+    z("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Qi, children: z(Xe, { name: "plus" }) })
   ] });
 }
 function ts() {
   let e = _i.value;
-  return e ? St("label", { class: "cut", "data-scroll": !0, children: [
-    Y("span", { children: "Cut" }),
-    Y(
+  if (!e) return null;
+  let t = e.height === null ? `${tl(e.value, 2)} m` : `at ${tl(e.height, 2)} m`;
+  return mn("label", { class: "cut", "data-scroll": !0, children: [
+    z("span", { children: "Cut" }),
+    z(
       Yi,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
-        text: `${tl(e.value, 2)} metres`,
-        on: (t) => ji(t * e.most)
+        text: t,
+        on: (n) => ji(n * e.most)
       }
     ),
-    St("output", { children: [
-      tl(e.value, 2),
-      " m"
-    ] })
-  ] }) : null;
+    z("output", { children: t })
+  ] });
 }
 
 // src/later/walkpad.tsx

@@ -177,7 +177,7 @@ function down(e: KeyboardEvent): void {
         wantLevel.value = e.key;
         return;
     }
-    if (!e.shiftKey && PLACED[e.code]) return stop(e, PLACED[e.code]);
+    if (!e.shiftKey && e.key !== '?' && PLACED[e.code]) return stop(e, PLACED[e.code]);
     if (e.key === '\\') return void (e.repeat || compareHeld(true));
     const key = e.key.toLowerCase();
     if (key === 'l' && !e.shiftKey) return void (e.repeat || act('highlight'));

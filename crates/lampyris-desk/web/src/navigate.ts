@@ -227,12 +227,17 @@ export function goInside(): void {
 }
 
 /** Where the near cut lies between eye and the far side of the scene, 0 to 1, and how to set it. */
-export const cut = computed<{ value: number; most: number } | null>(() => {
+export const cut = computed<{ value: number; most: number; height: number | null } | null>(() => {
     const c = camera.value;
     if (!c?.height) return null;
     const view = pinhole(c, 2, 2);
     const ends = corners(bounds()).map((p) => dot(sub(p, c.eye), view.forward));
-    return { value: c.near ?? 0, most: Math.max(...ends) };
+    const value = c.near ?? 0;
+    // On plans the cut is told as a height above the floor.
+    const rise = dot(view.forward, up.value);
+    const low = Math.min(...corners(bounds()).map((p) => dot(p, up.value)));
+    const height = Math.abs(rise) > 0.99 ? dot(c.eye, up.value) + rise * value - low : null;
+    return { value, most: Math.max(...ends), height };
 });
 export function setCut(near: number): void {
     const c = here();

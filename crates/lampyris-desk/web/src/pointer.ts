@@ -219,6 +219,8 @@ export function followPointer(element: HTMLElement, clicks: Clicks): () => void 
             c.eye[axis] + (view.forward[axis] + view.side[axis] * px * view.pixel + view.up[axis] * py * view.pixel) * reach;
         const point: Vec = burst.point ?? [ahead(0), ahead(1), ahead(2)];
         go(dolly(c, point, factor, NEAREST, through));
+        // Once through, one goes toward what is behind.
+        if (through && distance(c.eye, point) < 0.5) burst = null;
     }
 
     function wheel(e: WheelEvent): void {

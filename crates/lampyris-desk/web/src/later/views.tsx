@@ -40,16 +40,17 @@ export function ViewStrip() {
 export function CutBar() {
     const now = cut.value;
     if (!now) return null;
+    const told = now.height === null ? `${digits(now.value, 2)} m` : `at ${digits(now.height, 2)} m`;
     return (
         <label class="cut" data-scroll>
             <span>Cut</span>
             <Range
                 label="Cut, from the side of the eye"
                 value={now.value / now.most}
-                text={`${digits(now.value, 2)} metres`}
+                text={told}
                 on={(t) => setCut(t * now.most)}
             />
-            <output>{digits(now.value, 2)} m</output>
+            <output>{told}</output>
         </label>
     );
 }
