@@ -73,7 +73,7 @@ impl Rectangle {
             return Err(bad("its edges span no area"));
         }
         let normal = normal.try_normalize().ok_or_else(|| bad("it has no normal"))?;
-        if !(border >= 0.0 && border.is_finite()) || !(maintenance > 0.0 && maintenance <= 1.0) {
+        if !(border >= 0.0 && border.is_finite() && maintenance > 0.0 && maintenance <= 1.0) {
             return Err(bad("a border is not negative, a maintenance factor lies between 0 and 1"));
         }
         let off = lengths.map(|length| {

@@ -1,11 +1,13 @@
 //! Measuring as lighting designers do: what an instrument of each kind reads, points spread over a surface, and what is said
 //! of all of them together. Meters go into [`crate::eye::Eye::Meters`]; what they read comes back as numbers.
 
+mod fit;
 mod grid;
 mod seen;
 mod statistics;
 mod targets;
 
+pub use fit::Fit;
 pub use grid::{BORDER, Grid, MOST, Rectangle, spacing};
 pub use seen::{illuminance, matt, receivers};
 pub use statistics::{Estimate, Statistics, Verdict};

@@ -34,9 +34,9 @@ pub fn iso_lines(values: &[f32], [width, height]: [u32; 2], level: f32) -> Vec<S
                 })
             };
             let crossed: Vec<usize> = (0..4).filter(|k| above[*k] != above[(*k + 1) % 4]).collect();
-            match crossed.as_slice() {
-                &[a, b] => segments.push([crossing(a), crossing(b)]),
-                &[a, b, c, d] => {
+            match *crossed.as_slice() {
+                [a, b] => segments.push([crossing(a), crossing(b)]),
+                [a, b, c, d] => {
                     // A saddle: what the middle is decides which corners hang together.
                     let middle = corners.iter().map(|(v, _)| f64::from(*v)).sum::<f64>() / 4.0;
                     let cuts_first = (middle >= f64::from(level)) != above[0];
