@@ -195,7 +195,7 @@ impl Desk {
                     self.progress = Some(progress);
                     self.hub.tell_all(&self.status());
                     let layers = state::layers(self.scene.as_ref(), self.progress.as_ref());
-                    self.hub.tell_all(&json!({"is": "patch", "seq": self.seq, "patch": {"layers": layers}}));
+                    self.tell_patch(json!({"layers": layers}));
                 }
                 Event::Found { client, id, found } => {
                     let answer = state::found(&self.model, id, found);
@@ -492,7 +492,12 @@ impl Desk {
     }
 
     fn tell_patch(&self, patch: Value) {
-        self.hub.tell_all(&json!({"is": "patch", "seq": self.seq, "patch": patch}));
+        self.tell_patch_of(self.seq, patch);
+    }
+
+    /// What the editor's message of that number changed.
+    fn tell_patch_of(&self, seq: u32, patch: Value) {
+        self.hub.tell_all(&json!({"is": "patch", "seq": seq, "by": self.editor, "patch": patch}));
     }
 
     fn tell_history(&self) {
