@@ -2,9 +2,11 @@
 //! Any bytes may be refused; none may panic, take long, fill the memory or give a scene or a picture that is unsound.
 //! `fuzz/run` builds and runs the targets.
 
+mod edited;
 mod render;
 mod sound;
 
+use lampyris::document::Document;
 use lampyris::import::image::Gate;
 use lampyris::import::{self, Limits, Options};
 use peak_alloc::PeakAlloc;
@@ -80,6 +82,29 @@ pub fn picture(input: &[u8]) {
     if let Some(image) = frugal(input, || render::install(read)) {
         sound::check_image(&image);
         frugal(input, || render::render_in_light_of(image, input.len()));
+    }
+}
+
+/// Reads an input as saved edits of a small scene.
+pub fn document(input: &[u8]) {
+    LazyLock::force(&PANICS);
+    let file = std::path::Path::new("scene.mgf.lampyris.json");
+    match frugal(input, || Document::read(file, input, &options().limits)) {
+        Ok(document) => {
+            assert_eq!(
+                Document::read(file, document.text().as_bytes(), &Limits::default()).ok(),
+                Some(document.clone())
+            );
+            let before = edited::scene();
+            let (after, lost) = frugal(input, || document.apply(before.clone()));
+            assert!(lost.iter().all(|line| line.len() < 1000 && !line.contains('\n')), "a line to read");
+            sound::check(&after);
+            // What was applied is what differs.
+            let again = Document::of(&before, &after).apply(before).0;
+            assert_eq!(format!("{again:?}"), format!("{after:?}"));
+            frugal(input, || render::render(after, input.len()));
+        }
+        Err(error) => assert!(error.to_string().len() < 4000, "a message to read: {error}"),
     }
 }
 

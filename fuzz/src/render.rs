@@ -30,7 +30,7 @@ pub(crate) fn install<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 
 /// Renders a small scene, by the parts or by the oracle.
 pub(crate) fn render(scene: Scene, choice: usize) {
-    let triangles = |mesh: u32| scene.meshes[mesh as usize].triangles.len();
+    let triangles = |mesh: u32| scene.meshes.get(mesh as usize).map_or(0, |mesh| mesh.triangles.len());
     let small = |image: &Image| u64::from(image.width) * u64::from(image.height) <= PIXELS;
     if scene.instances.iter().map(|i| triangles(i.mesh)).sum::<usize>() > TRIANGLES
         || !scene.images.iter().all(small)

@@ -5,7 +5,8 @@ use crate::failure::Failure;
 use crate::play::{lamp_names, object_names};
 use crate::{say, scene_file};
 use lampyris::light::{Bounds, Emitter};
-use lampyris::scene::{Scene, upward};
+use lampyris::scene::{Scene, Source, upward};
+use lampyris::world::World;
 use serde::Serialize;
 use std::process::ExitCode;
 
@@ -44,16 +45,19 @@ pub(crate) fn info(args: &InfoArgs) -> Result<ExitCode, Failure> {
 
 fn figures(scene: &Scene, warnings: Vec<String>) -> Figures {
     let sum = scene.summary();
-    // Within bounds of no size, light from infinity has no flux.
     let power = |light| f64::from(Emitter::from(light).power(Bounds::default()).luminance());
     let sources: f64 = scene.lights.iter().map(power).sum();
+    let [both, front] = match mixed_power(scene) {
+        Some(mixed) => mixed,
+        None => [sum.power_lm + sources, sum.power_lm_front + sources],
+    };
     Figures {
         triangles: sum.triangles,
         instances: scene.instances.len(),
         materials: sum.materials,
         lights: sum.lights,
-        power_lm: sum.power_lm + sources,
-        power_lm_front: sum.power_lm_front + sources,
+        power_lm: both,
+        power_lm_front: front,
         bounds: sum.bounds.map(|corners| corners.map(Into::into)),
         up: upward(scene).into(),
         cameras: scene.cameras.iter().map(|c| c.name.clone()).collect(),
@@ -61,6 +65,24 @@ fn figures(scene: &Scene, warnings: Vec<String>) -> Figures {
         objects: object_names(scene).into_iter().map(str::to_owned).collect(),
         warnings,
     }
+}
+
+/// The power of lamps in groups, each at the level of its group: of all sides, and of fronts [lm]. None without groups.
+fn mixed_power(scene: &Scene) -> Option<[f64; 2]> {
+    if scene.groups.is_empty() {
+        return None;
+    }
+    let world = World::new(scene.clone());
+    let (mix, shares) = (world.mix(), &world.scene().reference.shares);
+    let mut sums = [0.0; 2];
+    for (emitter, share) in world.emitters().iter().zip(shares) {
+        // Within bounds of no size, light from infinity has no flux.
+        let power = emitter.power(Bounds::default());
+        let power = f64::from((power * mix[usize::from(share.group)]).luminance());
+        sums[0] += power;
+        sums[1] += if matches!(share.source, Source::Side { back: true, .. }) { 0.0 } else { power };
+    }
+    Some(sums)
 }
 
 fn text(f: &Figures) -> String {

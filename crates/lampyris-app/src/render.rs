@@ -88,9 +88,11 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
 
     let mut backend = Cpu::new(asked.threads.map(|n| n as usize))?;
     let phase = Phase::begin("building the tree", args.quiet);
+    // A document's lamps are sorted already, or are to be as it says.
+    let layers = args.groups.or(loaded.document.layers);
     let world = backend.install(|| {
         let mut world = World::new(loaded.scene);
-        args.groups.map_or(Ok(()), |most| world.separate(most as usize))?;
+        layers.map_or(Ok(()), |most| world.separate(most as usize))?;
         Ok::<_, Error>(world)
     })?;
     let built_at = Instant::now();
@@ -112,8 +114,9 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
 
     let Statistics { rays, vpls, non_finite } = backend.statistics();
     let groups = backend.world().map_or(Vec::new(), |world| group_names(world.scene()));
+    let layers = backend.world().map_or(1, World::groups);
     let frame = backend.frame()?;
-    let metadata = metadata(args, &settings, &chosen.camera, frame.batches());
+    let metadata = metadata(args, &settings, &chosen.camera, layers, frame.batches());
     let picture = picture(frame, metadata, &groups, args.aov);
     let display = args.display.display();
     let written = outputs.iter().map(|path| interrupt::writing(|| output::save(path, &picture, &display)));
@@ -238,7 +241,13 @@ fn layers(frame: &Frame) -> Vec<Layer> {
 }
 
 /// What repeats the picture to the bit; nothing that differs from run to run.
-fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u32) -> Vec<(String, String)> {
+fn metadata(
+    args: &RenderArgs,
+    settings: &Settings,
+    camera: &Camera,
+    layers: usize,
+    batches: u32,
+) -> Vec<(String, String)> {
     let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
     [
         ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
@@ -253,7 +262,7 @@ fn metadata(args: &RenderArgs, settings: &Settings, camera: &Camera, batches: u3
         ("picks", or_all(settings.picks)),
         ("filter", if settings.filter { "auto" } else { "off" }.to_string()),
         ("longest path", or_all(settings.longest)),
-        ("light groups", args.groups.map_or("1".into(), |n| n.to_string())),
+        ("light groups", args.groups.map_or(layers.to_string(), |n| n.to_string())),
         ("batches", batches.to_string()),
         ("seed", settings.seed.to_string()),
         ("sequence", settings.sequence.name().to_string()),

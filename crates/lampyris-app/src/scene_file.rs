@@ -1,21 +1,21 @@
-//! Loading a scene as the arguments say, and passing on what was odd about it.
+//! Loading a scene, or a document of one, as the arguments say, and passing on what was odd about it.
 
 use crate::cli::{ReadingArgs, SceneArgs};
 use crate::failure::Failure;
 use crate::progress::Phase;
 use crate::say;
-use lampyris::Rgb;
-use lampyris::import::{self, Limits, Loaded, Options};
-use lampyris::scene::{Scene, upward};
+use lampyris::document::{self, Ask, Opened};
+use lampyris::import::{self, Limits, Options};
+use lampyris::scene::Scene;
 use std::path::Path;
 
-/// Loads the scene; warnings go to standard error unless `quiet`.
-pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Loaded, Failure> {
+/// Loads the scene, or the saved document of one; warnings go to standard error unless `quiet`.
+pub(crate) fn load(args: &SceneArgs, quiet: bool) -> Result<Opened, Failure> {
     read(&args.file, &args.reading, quiet)
 }
 
 /// [`load`] of a file.
-pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Loaded, Failure> {
+pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Opened, Failure> {
     let (l, d) = (&args.limits, Limits::default());
     let limits = Limits {
         file_bytes: l.max_file_bytes.unwrap_or(d.file_bytes),
@@ -34,20 +34,13 @@ pub(crate) fn read(file: &Path, args: &ReadingArgs, quiet: bool) -> Result<Loade
         image_pixels: l.max_image_pixels.unwrap_or(d.image_pixels),
         image_bytes: l.max_image_bytes.unwrap_or(d.image_bytes),
     };
-    let options = Options {
-        root: args.root.clone(),
-        limits,
-        circle_steps: args.circle.unwrap_or(import::CIRCLE_STEPS),
+    let ask = Ask {
+        options: Options { root: args.root.clone(), limits, circle_steps: import::CIRCLE_STEPS },
+        circle: args.circle,
+        environment: args.environment.clone().map(|file| (file, args.environment_scale)),
     };
     let phase = Phase::begin("reading the scene", quiet);
-    let mut loaded = import::load(file, &options)?;
-    if let Some(file) = &args.environment {
-        // A sky must know what is overhead, and not every format says.
-        loaded.scene.up = Some(upward(&loaded.scene));
-        loaded.scene.environment = Rgb::grey(args.environment_scale);
-        loaded.scene.environment_image = Some(loaded.scene.images.len() as u32);
-        loaded.scene.images.push(import::picture(file, &options)?);
-    }
+    let mut loaded = document::open(file, &ask, document::state_folder().as_deref())?;
     drop(phase);
     if is_dark(&loaded.scene) {
         loaded

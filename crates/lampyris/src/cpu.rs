@@ -32,13 +32,14 @@ pub type GoOn<'a> = &'a (dyn Fn() -> bool + Sync);
 struct Job {
     world: World,
     picture: Film,
+    sketch: Option<Film>,
     meters: Option<Film>,
 }
 
 impl Job {
     fn films(&mut self) -> impl Iterator<Item = (&World, &mut Film)> {
-        let Job { world, picture, meters } = self;
-        std::iter::once(picture).chain(meters).map(|film| (&*world, film))
+        let Job { world, picture, sketch, meters } = self;
+        std::iter::once(picture).chain(sketch).chain(meters).map(|film| (&*world, film))
     }
 }
 
@@ -63,7 +64,7 @@ impl Cpu {
     /// [`Backend::begin`] with a world that is already built, where a view had to be found in it first.
     pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
         let picture = Film::new(&world, eye, settings)?;
-        self.job = Some(Job { world, picture, meters: None });
+        self.job = Some(Job { world, picture, sketch: None, meters: None });
         self.state += 1;
         Ok(())
     }
@@ -76,6 +77,32 @@ impl Cpu {
         let job = self.job()?;
         job.picture = Film::new(&job.world, eye, settings)?;
         Ok(())
+    }
+
+    /// Sketches what an eye sees from now on, beside the picture and in the same world; `None` does not any more. A sketch has
+    /// batches and sums of its own, which edits renew as they do the picture's.
+    ///
+    /// # Errors
+    /// As [`Cpu::restart`].
+    pub fn sketch(&mut self, eye: Option<Eye>, settings: &Settings) -> Result<()> {
+        let job = self.job()?;
+        job.sketch = eye.map(|eye| Film::new(&job.world, eye, settings)).transpose()?;
+        Ok(())
+    }
+
+    /// The sketch as it stands.
+    pub fn sketched(&self) -> Option<&Frame> {
+        self.job.as_ref()?.sketch.as_ref().map(|film| &film.frame)
+    }
+
+    /// Adds a batch to the sketch, as long as `go_on` says ([`Cpu::add_while`]); false also where there is none.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn add_to_sketch(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, .. } = self;
+        let Job { world, sketch, .. } = job.as_mut().ok_or_else(nothing)?;
+        Ok(sketch.as_mut().is_some_and(|film| pool.install(|| film.add(world, batch, true, go_on))))
     }
 
     /// Measures at some points from now on, beside the picture and in the same world; `None` does not any more. Meters have

@@ -244,9 +244,12 @@ pub struct Readme;
 #[doc = include_str!("../../../CONTRIBUTING.md")]
 pub struct Contributing;
 
+mod atomic;
 pub mod backend;
+pub mod chromaticity;
 pub mod color;
 pub mod cpu;
+pub mod document;
 pub mod error;
 pub mod eye;
 pub mod filter;
@@ -256,6 +259,7 @@ pub mod import;
 pub mod integrator;
 pub mod light;
 pub mod material;
+pub mod measuring;
 #[cfg(feature = "pictures")]
 pub mod output;
 pub mod particle;

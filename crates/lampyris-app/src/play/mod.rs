@@ -72,7 +72,8 @@ pub(crate) fn play(args: &PlayArgs) -> Result<ExitCode, Failure> {
     let loaded = scene_file::read(&file, &args.reading, args.quiet)?;
     let loaded_at = Instant::now();
 
-    let mut player = Player::new(args, &script, size, &file, loaded.scene)?;
+    let layers = args.groups.or(loaded.document.layers);
+    let mut player = Player::new(args, &script, size, &file, (loaded.scene, layers))?;
     let mut meter = match args.flicker {
         Some(batches) => Some(Meter::new(player.twin(size, args.threads)?, batches)),
         None => None,
@@ -158,12 +159,12 @@ impl Player {
         script: &Script,
         size: (u32, u32),
         file: &Path,
-        scene: Scene,
+        (scene, layers): (Scene, Option<u32>),
     ) -> Result<Player, Failure> {
         let threads = args.threads.map(|n| n as usize);
         let cpu = Cpu::new(threads)?;
         let mut world = cpu.install(|| World::new(scene));
-        cpu.install(|| args.groups.map_or(Ok(()), |most| world.separate(most as usize)))?;
+        cpu.install(|| layers.map_or(Ok(()), |most| world.separate(most as usize)))?;
         let aspect = size.0 as f32 / size.1 as f32;
         let chosen = cpu.install(|| viewing::choose(&args.view, &world, aspect))?;
         let settings =

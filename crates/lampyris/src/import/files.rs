@@ -10,14 +10,14 @@ use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
 /// The folder beneath which a scene's files must lie, and how large each may be.
-pub(super) struct Root {
+pub(crate) struct Root {
     folder: PathBuf,
     limit: u64,
 }
 
 impl Root {
     /// The root for the scene at `scene`, and that file's path with links followed.
-    pub(super) fn new(scene: &Path, options: &Options) -> Result<(Root, PathBuf)> {
+    pub(crate) fn new(scene: &Path, options: &Options) -> Result<(Root, PathBuf)> {
         let unreadable =
             |file: &Path, e: std::io::Error| Error::CannotRead { file: file.into(), reason: e.to_string() };
         let file = scene.canonicalize().map_err(|e| unreadable(scene, e))?;
@@ -37,7 +37,7 @@ impl Root {
     }
 
     /// The file called `name` in the file `from` (canonical), checked; or why it is refused.
-    pub(super) fn resolve(&self, from: &Path, name: &str) -> std::result::Result<PathBuf, String> {
+    pub(crate) fn resolve(&self, from: &Path, name: &str) -> std::result::Result<PathBuf, String> {
         let shown = quote(name);
         let path = Path::new(name);
         let drive = name.as_bytes().get(1) == Some(&b':');
@@ -68,7 +68,7 @@ impl Root {
     }
 
     /// The bytes of a file that [`Root::resolve`] or [`Root::new`] returned.
-    pub(super) fn read(&self, file: &Path) -> Result<Vec<u8>> {
+    pub(crate) fn read(&self, file: &Path) -> Result<Vec<u8>> {
         let unreadable = |e: std::io::Error| Error::CannotRead { file: file.into(), reason: e.to_string() };
         let open = File::open(file).map_err(unreadable)?;
         let size = open.metadata().map_err(unreadable)?;

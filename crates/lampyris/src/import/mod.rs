@@ -1,6 +1,6 @@
 //! Scene files in. One table by extension: a new format is one file and one row.
 
-mod files;
+pub(crate) mod files;
 mod gltf;
 pub mod image;
 mod lines;

@@ -3,11 +3,11 @@
 //! A format turns a [`Picture`] into the bytes of a file, and [`save`] brings them to the disk whole or not at all.
 //! Nothing here changes a picture: exposure and tone curves act on what is displayed, OpenEXR holds cd/m².
 
-mod atomic;
 mod despeckle;
 mod encode;
 mod exposure;
 mod exr;
+pub mod false_color;
 mod hdr;
 mod picture;
 mod png;
@@ -18,6 +18,7 @@ pub use exposure::Exposure;
 pub use picture::{Layer, Picture, Plane};
 pub use tone::{ToneCurve, srgb};
 
+use crate::atomic;
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use despeckle::despeckle;

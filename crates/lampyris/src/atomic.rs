@@ -6,7 +6,7 @@ use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
 
 /// Puts `bytes` at `path`. On failure the temporary file is gone and what was at `path` is untouched.
-pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     // A link keeps pointing where it does: the file it names is the one replaced.
     let path = path.canonicalize().unwrap_or_else(|_| path.into());
     let name =
