@@ -14,6 +14,7 @@ mod torn;
 mod window;
 
 pub use auxiliary::Auxiliary;
+pub(crate) use spread::mean_and_variance;
 pub use still::Still;
 
 use crate::color::Rgb;
@@ -162,6 +163,11 @@ impl Frame {
         let [layer] = self.layers.as_slice() else { return None };
         let term = layer.mean(1.0).nth(number)?;
         Some(sum(self.size(), [(&term, layer.color)].into_iter()))
+    }
+
+    /// The sums of one layer that exists, of each part that has a plane.
+    pub(crate) fn planes_of(&self, layer: usize) -> impl Iterator<Item = &[Rgb]> {
+        self.layers[layer].planes.iter().map(|plane| plane.as_slice())
     }
 
     /// The mean of one layer over all its batches, in its colour; `None` if there is none of that number.
