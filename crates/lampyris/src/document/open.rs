@@ -1,6 +1,6 @@
 //! Opening: a document, with the scene that it names, or a scene alone.
 
-use super::{Document, Environment, Reading, outline, place};
+use super::{Document, Environment, Reading, outline, place, text};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::import::files::Root;
@@ -92,6 +92,7 @@ fn alone(path: &Path, ask: &Ask) -> Result<Opened> {
 fn edited(path: &Path, ask: &Ask, state: Option<&Path>) -> Result<Opened> {
     let limits = &ask.options.limits;
     let (own, file) = Root::new(path, &Options { root: None, ..ask.options.clone() })?;
+    text::within(path, std::fs::metadata(&file).map_or(0, |file| file.len()), limits)?;
     let text = own.read(&file)?;
     let document = Document::read(path, &text, limits)?;
     let trusted = state.is_some_and(|state| lies_in(path, state));
