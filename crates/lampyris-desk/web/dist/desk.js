@@ -1,12 +1,12 @@
 // node_modules/preact/dist/preact.mjs
-var C, zr, Vo, We, Po, Vn, Gr, Pn, Xr, Io, Lo, as, Yt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ao = Array.isArray, Ro = An.slice, ot = Object.assign;
+var C, zr, Io, We, Lo, Vn, Gr, Pn, Xr, Ao, Vo, as, Yt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ro = Array.isArray, Ho = An.slice, ot = Object.assign;
 function nt(e) {
   e && e.parentNode && e.remove();
 }
 function Yr(e, t, n) {
   var o, r, i, a = {}, l = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return l > 2 && (a.children = l > 3 ? Ro.call(arguments, 2) : n), Xt(e, a, o, r, null);
+  return l > 2 && (a.children = l > 3 ? Ho.call(arguments, 2) : n), Xt(e, a, o, r, null);
 }
 function Xt(e, t, n, o, r) {
   var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Yt, __v: r || ++zr, __i: -1, __u: 0 };
@@ -25,7 +25,7 @@ function Be(e, t) {
 }
 function ls(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = ot({ constructor: Yt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ho(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
+  a && ((t = ot({ constructor: Yt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Oo(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
 }
 function Qr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
@@ -33,23 +33,23 @@ function Qr(e) {
   }), Qr(e);
 }
 function Wr(e) {
-  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Po == C.debounceRendering || ((Po = C.debounceRendering) || queueMicrotask)(Jr);
+  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Lo == C.debounceRendering || ((Lo = C.debounceRendering) || queueMicrotask)(Jr);
 }
 function Jr() {
   try {
     for (var e, t = 1; We.length; ) We.length > t && We.sort(Gr), e = We.shift(), t = We.length, 8 & e.__g && ls(e);
   } finally {
-    (Vn = We.length) && (Po || queueMicrotask)(Jr);
+    (Vn = We.length) && (Lo || queueMicrotask)(Jr);
   }
 }
 function Zr(e, t, n, o, r, i, a, l, d, u, c) {
   var p, m, f, _, k, S, y = o.__k || An, b = t.length;
-  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Ho(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Oo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = ei(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
+  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Oo(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Ko(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = ei(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
   return n.__e = k, d;
 }
 function us(e, t, n, o, r) {
   var i, a, l, d, u, c, p, m, f, _ = n.length, k = _, S = 0, y = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Xt(null, a) : Ao(a) ? a = b[i] = Xt(X, { children: a }) : a.constructor === Yt && a.__b ? a = b[i] = Xt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Xt(null, a) : Ro(a) ? a = b[i] = Xt(X, { children: a }) : a.constructor === Yt && a.__b ? a = b[i] = Xt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
   if (y) {
     for (c = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
       for (S = 0, m = c.length; S < m; ) c[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
@@ -57,7 +57,7 @@ function us(e, t, n, o, r) {
     }
     for (S = c.length; i--; ) p[i] && (p[i] == S ? S-- : b[i].__u |= 4);
   }
-  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Ko(l, l));
+  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Do(l, l));
   return o;
 }
 function ei(e, t, n, o) {
@@ -90,7 +90,7 @@ function $n(e, t, n, o, r) {
     if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Br(e.style, t);
     if (n) for (t in n) o && n[t] == o[t] || Br(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Lo[t] || (Lo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Io, i = t != (t = t.replace(Xr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Vo[t] || (Vo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Ao, i = t != (t = t.replace(Xr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -105,13 +105,13 @@ function fs(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[Pn] == null) t[Pn] = Io++;
+      if (n = n[e], t[Pn] == null) t[Pn] = Ao++;
       else if (t[Pn] < this.__a[e]) return;
       return n(C.event ? C.event(t) : t);
     }
   };
 }
-function Ho(e, t, n, o, r, i, a, l, d, u) {
+function Oo(e, t, n, o, r, i, a, l, d, u) {
   var c, p, m, f, _, k, S, y, b, R, V, je, Ue, Se, ge, h, v, $, P = t.type;
   if (t.constructor !== Yt) return null;
   128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Ln(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
@@ -134,8 +134,8 @@ function Ho(e, t, n, o, r, i, a, l, d, u) {
         f.__g &= -9, je && je(t), c = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Ue < 25);
       b && (An.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = ot({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), Se = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
-        L && Ko(L, L);
-      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Zr(e, Ao(Se) ? Se : [Se], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+        L && Do(L, L);
+      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Zr(e, Ro(Se) ? Se : [Se], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (L) {
       if (a.length = m, t.__v = null, d || i) if (L && L.then) {
         if (t.__u |= 128 | d, i) {
@@ -172,7 +172,7 @@ function ti(e) {
   e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ti));
 }
 function ni(e, t, n) {
-  for (var o = 0; o < n.length; ) Oo(n[o++], n[o++], n[o++]);
+  for (var o = 0; o < n.length; ) Ko(n[o++], n[o++], n[o++]);
   C.__c && C.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
@@ -196,23 +196,23 @@ function ps(e, t, n, o, r, i, a, l, d, u) {
     e = y.createElementNS(r, V, R.is ? R : u), l && (C.__m && C.__m(t, i), l = !1), i = null;
   }
   if (V) {
-    if (u = V == "template" && e.content || e, i = V == "textarea" && R.defaultValue != null ? null : i && Ro.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
+    if (u = V == "template" && e.content || e, i = V == "textarea" && R.defaultValue != null ? null : i && Ho.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
     for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || $n(e, c, null, _, r);
     for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || $n(e, c, _, b[c], r);
-    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Zr(u, Ao(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
+    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Zr(u, Ro(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
   } else b === R || l && e.data == R || (e.data = R);
   return e;
 }
-function Oo(e, t, n, o) {
+function Ko(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
     C.__e(r, n);
   }
 }
-function Ko(e, t, n) {
+function Do(e, t, n) {
   var o, r, i, a;
-  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Oo(o, null, t, e), o = e.__c) {
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Ko(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (l) {
@@ -220,7 +220,7 @@ function Ko(e, t, n) {
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Ko(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Do(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = Ln(o, i = [])) && (o == e.__e && i.some(nt), nt(r), nt(o)), n || nt(e.__e), e.__e = e.__c = e.__ = null;
 }
 function ds(e, t, n) {
@@ -228,7 +228,7 @@ function ds(e, t, n) {
 }
 function oi(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Xt(X, { children: [e] }), r = [], i = [], Ho(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ro.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Xt(X, { children: [e] }), r = [], i = [], Oo(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ho.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
 }
 C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,7 +240,7 @@ C = { __e: function(e, t, n, o) {
     }
   }
   throw Vn = 0, e;
-} }, zr = 0, Vo = function(e) {
+} }, zr = 0, Io = function(e) {
   return e != null && e.constructor === Yt;
 }, wt.prototype.setState = function(e, t) {
   var n = this.__s;
@@ -249,12 +249,12 @@ C = { __e: function(e, t, n, o) {
   this.__v && (this.__g |= 4, e && this.__h.push(e), Wr(this));
 }, wt.prototype.render = X, We = [], Vn = 0, Gr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Pn = /* @__PURE__ */ Symbol(), Xr = /(PointerCapture)$|Capture$/i, Io = 0, Lo = {}, as = 0;
+}, Pn = /* @__PURE__ */ Symbol(), Xr = /(PointerCapture)$|Capture$/i, Ao = 0, Vo = {}, as = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Rn, ue, Do, ri, ms = Object.is, No = 0, di = [], Fo = [], z = C, ii = z.__b, ai = z.__r, si = z.diffed, li = z.__c, ui = z.unmount, ci = z.__;
+var Rn, ue, No, ri, ms = Object.is, Fo = 0, di = [], qo = [], z = C, ii = z.__b, ai = z.__r, si = z.diffed, li = z.__c, ui = z.unmount, ci = z.__;
 function mi(e, t) {
-  z.__h && z.__h(ue, e, No || t), No = 0;
+  z.__h && z.__h(ue, e, Fo || t), Fo = 0;
   var n = ue.__H || (ue.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
@@ -263,7 +263,7 @@ function $e(e, t) {
   !z.__s && hi(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
 }
 function oe(e) {
-  return No = 5, Hn(function() {
+  return Fo = 5, Hn(function() {
     return { current: e };
   }, []);
 }
@@ -274,7 +274,7 @@ function Hn(e, t) {
 function hs() {
   var e;
   do {
-    for (; e = Fo.shift(); ) try {
+    for (; e = qo.shift(); ) try {
       Qt(e);
     } catch (n) {
       z.__e(n, { __: (e = e.__P) && e.__v });
@@ -282,12 +282,12 @@ function hs() {
     for (; e = di.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(Qt), t.__h.some(qo), t.__h = [];
+        t.__h.some(Qt), t.__h.some(jo), t.__h = [];
       } catch (n) {
         t.__h = [], z.__e(n, e.__v);
       }
     }
-  } while (Fo.length);
+  } while (qo.length);
 }
 z.__b = function(e) {
   ue = null, ii && ii(e);
@@ -296,20 +296,20 @@ z.__b = function(e) {
 }, z.__r = function(e) {
   ai && ai(e), Rn = 0;
   var t = (ue = e.__c).__H;
-  t && (Do == ue ? ue.__h = [] : (t.__h.some(Qt), t.__h.some(qo), Rn = 0), t.__h = [], t.__.some(function(n) {
+  t && (No == ue ? ue.__h = [] : (t.__h.some(Qt), t.__h.some(jo), Rn = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Do = ue;
+  })), No = ue;
 }, z.diffed = function(e) {
   si && si(e);
   var t = e.__c;
   t && t.__H && (t.__H.__h.length && pi(di.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Do = ue = null;
+  })), No = ue = null;
 }, z.__c = function(e, t) {
   t.some(function(n) {
     try {
       n.__h.some(Qt), n.__h = n.__h.filter(function(o) {
-        return !o.__ || qo(o);
+        return !o.__ || jo(o);
       });
     } catch (o) {
       n.__h = [function() {
@@ -327,7 +327,7 @@ z.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, pi(Fo.push(r));
+        r.__P = n, pi(qo.push(r));
       } else Qt(r);
     } catch (i) {
       t = i;
@@ -348,7 +348,7 @@ function Qt(e) {
   var t = ue, n = e.__c;
   typeof n == "function" && (e.__c = void 0, n()), ue = t;
 }
-function qo(e) {
+function jo(e) {
   var t = ue;
   e.__c = e.__(), ue = t;
 }
@@ -389,7 +389,7 @@ function Nn() {
 }
 function Fn(e) {
   if (Oe > 0) return e();
-  jo = ++bs, Oe++;
+  Uo = ++bs, Oe++;
   try {
     return e();
   } finally {
@@ -406,7 +406,7 @@ function se(e) {
     N = t, Jt = n;
   }
 }
-var Zt = void 0, Oe = 0, On = 0, bs = 0, jo = 0, Kn = void 0, Dn = 0;
+var Zt = void 0, Oe = 0, On = 0, bs = 0, Uo = 0, Kn = void 0, Dn = 0;
 function vi(e) {
   if (N !== void 0) {
     var t = e.n;
@@ -471,7 +471,7 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
   if (e !== this.v) {
     if (On > 100) throw new Error("Cycle detected");
     (function(n) {
-      Oe !== 0 && On === 0 && n.l !== jo && (n.l = jo, Kn = { S: n, v: n.v, i: n.i, o: Kn });
+      Oe !== 0 && On === 0 && n.l !== Uo && (n.l = Uo, Kn = { S: n, v: n.v, i: n.i, o: Kn });
     })(this), this.v = e, this.i++, Dn++, Oe++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
@@ -559,13 +559,13 @@ function _i(e) {
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, Uo(e), o;
+      throw e.f &= -2, e.f |= 8, Wo(e), o;
     } finally {
       N = n, Nn();
     }
   }
 }
-function Uo(e) {
+function Wo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
   e.x = void 0, e.s = void 0, _i(e);
 }
@@ -573,7 +573,7 @@ function ys(e) {
   if (N !== this) throw new Error("Out-of-order effect");
   yi(this), N = e, this.f &= -2;
   try {
-    8 & this.f && Uo(this);
+    8 & this.f && Wo(this);
   } finally {
     Nn();
   }
@@ -601,7 +601,7 @@ kt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Zt, Zt = this);
 };
 kt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || Uo(this);
+  this.f |= 8, 1 & this.f || Wo(this);
 };
 kt.prototype.dispose = function() {
   this.d();
@@ -618,9 +618,9 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Wo, tn, qn, _s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
+var Bo, tn, qn, _s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
 T(function() {
-  Wo = this.N;
+  Bo = this.N;
 })();
 function xt(e, t) {
   C[e] = t.bind(null, C[e] || function() {
@@ -645,7 +645,7 @@ function xi(e) {
       var f = o.value.value;
       return f === 0 ? 0 : f === !0 ? "" : f || "";
     }), c = G(function() {
-      return !Array.isArray(u.value) && !Vo(u.value);
+      return !Array.isArray(u.value) && !Io(u.value);
     }), p = T(function() {
       if (this.N = Si, c.value) {
         var f = u.value;
@@ -784,7 +784,7 @@ var ks = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
 };
 function Ss() {
   Fn(function() {
-    for (var e; e = wi.shift(); ) Wo.call(e);
+    for (var e; e = wi.shift(); ) Bo.call(e);
   });
 }
 function Ms() {
@@ -792,7 +792,7 @@ function Ms() {
 }
 function Cs() {
   Fn(function() {
-    for (var e; e = ki.shift(); ) Wo.call(e);
+    for (var e; e = ki.shift(); ) Bo.call(e);
   });
 }
 function Si() {
@@ -908,7 +908,7 @@ var nn = class {
   tone: "filmic",
   white: null,
   false_color: null
-}), ut = Un.shown, Bo = {
+}), ut = Un.shown, zo = {
   scene: ee,
   layers: an,
   solo: Me,
@@ -920,12 +920,12 @@ var nn = class {
 function Ci(e) {
   jn.clear();
   for (let [t, n] of Object.entries(on)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Bo)) t in e && (n.value = e[t]);
+  for (let [t, n] of Object.entries(zo)) t in e && (n.value = e[t]);
   St(e.display) && Un.receive(e.display);
 }
 function Ei(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in on ? on[n].patch(o) : n === "display" ? Un.receive(o) : n in Bo && (Bo[n].value = o);
+    n in on ? on[n].patch(o) : n === "display" ? Un.receive(o) : n in zo && (zo[n].value = o);
   Tt(t);
 }
 function Tt(e) {
@@ -940,7 +940,7 @@ function Ti(e, t) {
       }
     else n === "display" && St(o) && t(Un, o);
 }
-var zo = (e, t) => Ti(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ti(e, (n, o) => n.settle(o, t));
+var Go = (e, t) => Ti(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ti(e, (n, o) => n.settle(o, t));
 function ye(e) {
   let t = O.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
@@ -959,9 +959,9 @@ var ct = g([]), Ts = 0;
 function Q(e, t = "plain") {
   if (ct.peek().find((r) => r.text === e)) return;
   let o = ++Ts;
-  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Go(o), t === "warn" ? 8e3 : 4e3);
+  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Xo(o), t === "warn" ? 8e3 : 4e3);
 }
-function Go(e) {
+function Xo(e) {
   ct.value = ct.peek().filter((t) => t.id !== e);
 }
 
@@ -992,10 +992,10 @@ window.__desk = le;
 // src/wire.ts
 var U = g("entering"), un = g(0), me = g("edit"), Jo = g(null), De = g(0), Ii = () => null, Ai = (e) => {
   Ii = e;
-}, Yo = /* @__PURE__ */ new Map(), ze = null, sn = 0, Xo = null, ln = 0, $t = "", Bn = !1;
+}, Bn = /* @__PURE__ */ new Map(), ze = null, sn = 0, Yo = null, ln = 0, $t = "", zn = !1;
 function Ce(e, t) {
-  let n = Yo.get(e) ?? /* @__PURE__ */ new Set();
-  return Yo.set(e, n.add(t)), () => n.delete(t);
+  let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
+  return Bn.set(e, n.add(t)), () => n.delete(t);
 }
 function F(e) {
   return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (sn += 1, ze.send(JSON.stringify({ ...e, seq: sn })), e.do !== "ack" && Li(sn, e.do), sn);
@@ -1020,11 +1020,11 @@ function Ee(e, t, n, o = () => {
 function Ps(e) {
   switch (e.is) {
     case "hello":
-      if (ln = 0, Xo !== null && e.build !== Xo) {
+      if (ln = 0, Yo !== null && e.build !== Yo) {
         U.value = "renewed", ze?.close();
         return;
       }
-      Xo = e.build, me.value = e.role === "watch" ? "watch" : "edit", Jo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ft.clear(), U.value = "open";
+      Yo = e.build, me.value = e.role === "watch" ? "watch" : "edit", Jo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ft.clear(), U.value = "open";
       break;
     case "state":
       Ci(e.state ?? e);
@@ -1042,10 +1042,10 @@ function Ps(e) {
       }
       break;
     case "event":
-      e.what === "bye" && (Bn = !0);
+      e.what === "bye" && (zn = !0);
       break;
   }
-  for (let t of [...Yo.get(e.is) ?? []]) t(e);
+  for (let t of [...Bn.get(e.is) ?? []]) t(e);
 }
 function Qo(e) {
   typeof e == "number" && e > De.value && (De.value = e);
@@ -1066,7 +1066,7 @@ function Hi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  ze = t, t.onmessage = (o) => {
+  ze = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
     if (t !== ze) return;
     if (typeof o.data != "string") {
       let i = Ii(o.data);
@@ -1089,7 +1089,7 @@ async function Ls(e) {
   }
   ln += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  ln > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
+  ln > 3 && t && (zn = !0), U.value = zn ? "ended" : "lost";
   let n = Math.min(5, ln);
   for (let o = n; o > 0; o--)
     un.value = o, await new Promise((r) => setTimeout(r, 1e3));
@@ -1110,13 +1110,13 @@ async function Oi() {
   }
   Hi();
 }
-Ce("hello", () => Bn = !1);
+Ce("hello", () => zn = !1);
 
 // src/gesture.ts
 var Pt = 0, Ni = /* @__PURE__ */ new Set(), Fi = (e) => {
   Ni.add(e);
 }, cn = /* @__PURE__ */ new Set();
-function zn() {
+function Gn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : me.value === "watch" ? "You are watching. Ask for the pen to change things." : te.value.you ? null : `${te.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
 }
 var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ne = class {
@@ -1131,7 +1131,7 @@ var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (zo(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
+    this.state === "over" || !this.begin() || (Go(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
@@ -1153,7 +1153,7 @@ var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = se(zn);
+    let t = se(Gn);
     return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", cn.add(this), Pt === 0 && Ni.forEach((n) => n()), Pt++ === 0 && (this.last = F({ do: "begin", label: Ki(this.label) })), !0);
   }
   flush() {
@@ -1167,12 +1167,12 @@ function ce(e, t) {
   let n = new Ne(e);
   n.set(t), n.end();
 }
-function Gn(e, t) {
+function Xn(e, t) {
   let n = new Ne(e);
   n.also(t), n.end();
 }
 function Lt(e) {
-  se(() => U.value) === "open" && (zo({ display: e }, 1 / 0), Wn({ display: e }, F({ do: "display", patch: e })));
+  se(() => U.value) === "open" && (Go({ display: e }, 1 / 0), Wn({ display: e }, F({ do: "display", patch: e })));
 }
 var Ve = null;
 function Zo(e, t, n) {
@@ -1216,7 +1216,7 @@ function Vt([e, t]) {
 var Ge = ([e, t]) => Is(e, t, 0.5);
 
 // src/camera.ts
-var er = Math.PI / 180, Xn = 89 * er;
+var er = Math.PI / 180, Yn = 89 * er;
 function It(e, t, n) {
   let o = q(A(e.target, e.eye), [0, 0, -1]), r = q(fe(o, e.up), pt(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * er * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: l, parallel: a };
@@ -1230,7 +1230,7 @@ function As(e, t, n) {
   return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: q(M(e.forward, i)) };
 }
 function qi(e, t, n, o) {
-  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, K(q(r), t)))), l = A(r, x(t, K(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, K(e.up, t))), pt(t)), u = Math.max(-Xn, Math.min(Xn, a + o)), c = fn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
+  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, K(q(r), t)))), l = A(r, x(t, K(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, K(e.up, t))), pt(t)), u = Math.max(-Yn, Math.min(Yn, a + o)), c = fn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
   return { ...e, up: t, target: M(e.eye, x(p, i)) };
 }
 function ji(e, t, n, o, r) {
@@ -1245,7 +1245,7 @@ function Xe(e, t) {
   return { ...e, eye: M(e.eye, t), target: M(e.target, t) };
 }
 function Wi(e, t, n, o, r) {
-  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, K(i, t)))), l = Math.max(-Xn, Math.min(Xn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => fn(fn(c, d, l - a), t, o);
+  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, K(i, t)))), l = Math.max(-Yn, Math.min(Yn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => fn(fn(c, d, l - a), t, o);
   return {
     ...e,
     up: t,
@@ -1257,13 +1257,13 @@ function Bi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
   return Xe(e, M(x(t.side, -n * i), x(t.up, o * i)));
 }
-function Yn(e, t, n, o, r) {
+function Qn(e, t, n, o, r) {
   let i = A(t, e.eye), a = Fe(i);
   if (a < 1e-9) return e;
   let l = a * (1 - n);
   return r ? l = Math.sign(l) * Math.max(Math.abs(l), 0.5 * Math.abs(1 - n)) : l > 0 && (l = Math.max(0, Math.min(l, a - o))), Xe(e, x(i, l / a));
 }
-function Qn(e, t, n, o, r) {
+function Jn(e, t, n, o, r) {
   let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, l = M(
     x(t.side, (n - t.width / 2) * a),
     x(t.up, (t.height / 2 - o) * a)
@@ -1356,10 +1356,10 @@ function Ds(e, t, n, o) {
     encode: e.encode
   });
 }
-var Jn = [];
+var Zn = [];
 function Ns() {
   let e = performance.now();
-  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), Rt.value = Jn.length;
+  Zn = Zn.filter((t) => e - t < 1e3), Zn.push(e), Rt.value = Zn.length;
 }
 function or(e) {
   Ie = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
@@ -1377,7 +1377,7 @@ Ce("camera", (e) => {
     At.delete(t);
   }
 });
-Ce("hello", () => {
+Ce("line", () => {
   At.clear(), dt = null;
 });
 
@@ -1399,7 +1399,7 @@ function pe(e, t) {
     }
   }), o;
 }
-var rr = pe("theme", "dark"), ir = pe("house-lights", 1), Zn = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Ht = pe("listing", "faders"), eo = pe("travel", "square"), Ot = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ae = pe("look-only", qs);
+var rr = pe("theme", "dark"), ir = pe("house-lights", 1), eo = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Ht = pe("listing", "faders"), to = pe("travel", "square"), Ot = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ae = pe("look-only", qs);
 
 // src/select.ts
 var E = g(null), ne = g(null), D = g(null), js = g("move"), re = G(() => {
@@ -1417,7 +1417,7 @@ function _e(e, t, n = "only") {
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
   E.value = i.length ? { kind: e, ids: i } : null;
 }
-function to() {
+function no() {
   E.value = null;
 }
 function ea(e, t, n) {
@@ -1457,14 +1457,14 @@ function na(e, t) {
     i != null && (O.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && to();
+    t === "only" && no();
     return;
   }
   if (t !== "only") return _e(n[0].kind, n[0].ids[0], t);
   let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   E.value = n[(r + 1) % n.length];
 }
-var no = g(null);
+var oo = g(null);
 
 // src/navigate.ts
 var Ws = 1.6, we = g(null), he = G(() => ee.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Nt = g(null), dr = null, mn = null, fr = !1, Je = [], hr = [], mr = 0;
@@ -1518,11 +1518,11 @@ function mt(e = we.peek()) {
   return e ? It(e, t, n) : null;
 }
 var Dt = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], qt = () => Ge(Dt());
-function oo(e, t) {
+function ro(e, t) {
   let n = ie();
   n && J(qi(n, he.peek(), e, t));
 }
-function ro(e, t, n) {
+function io(e, t, n) {
   let o = ie();
   o && J(Wi(o, he.peek(), e, t, n));
 }
@@ -1602,7 +1602,7 @@ function Zs(e) {
 }
 
 // src/tools.ts
-var io = g("spot"), vn = null;
+var ao = g("spot"), vn = null;
 function br(e) {
   vn = null, D.value = D.peek() === e ? null : e;
 }
@@ -1623,7 +1623,7 @@ function sa(e) {
       el(vn.point, e.point), vn = null, D.value = null;
       break;
     case "add":
-      tl(io.peek(), e), D.value = null;
+      tl(ao.peek(), e), D.value = null;
       break;
   }
 }
@@ -1677,16 +1677,16 @@ function tl(e, t) {
   let n = he.peek(), o = K(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
   e !== "point" && e !== "sphere" && (a.direction = i), e === "spot" && Object.assign(a, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (a.radius = 0.15), e === "sphere" && (a.radius = 0.08);
   let l = w.all().filter(([, d]) => d.own).length;
-  yr(w, "lamp"), Gn(`Add ${aa[e]?.toLowerCase() ?? e} lamp`, {
+  yr(w, "lamp"), Xn(`Add ${aa[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
     lamp: { name: `${aa[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
   });
 }
 function nl(e, t, n) {
-  !e.length || t < 1 || Gn(`Copy ${Qe(e)}`, { do: "copy", lamps: e, count: t, step: n });
+  !e.length || t < 1 || Xn(`Copy ${Qe(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
 function ol(e) {
-  e.length && Gn(`Remove ${Qe(e)}`, { do: "remove", lamps: e });
+  e.length && Xn(`Remove ${Qe(e)}`, { do: "remove", lamps: e });
 }
 function rl(e, t, n) {
   let o = {};
@@ -1698,13 +1698,13 @@ function rl(e, t, n) {
   }
   return { lamps: o };
 }
-function ao(e) {
+function so(e) {
   return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Ge(e.box) : null);
 }
 function il(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let o = w.get(n), r = o && ao(o);
+    let o = w.get(n), r = o && so(o);
     r && t.set(n, r);
   }
   return t;
@@ -1712,8 +1712,8 @@ function il(e) {
 
 // src/actions.ts
 var ht = g(null), Ze = g("lamps"), wr = g("");
-function lo(e) {
-  let t = zn();
+function uo(e) {
+  let t = Gn();
   t ? Q(t, "warn") : F(e);
 }
 var al = (e, t) => Object.fromEntries(e.map((n) => [n, t])), sl = {
@@ -1728,7 +1728,7 @@ function kr() {
   let e = ut.peek().false_color;
   e && (_r = e), Lt({ false_color: e ? null : _r });
 }
-function uo(e) {
+function co(e) {
   let t = Math.round(((ut.peek().ev ?? 0) + e / 3) * 30) / 30;
   Lt({ ev: t });
 }
@@ -1738,7 +1738,7 @@ function ul() {
   let t = gn(Ct);
   ce("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var cl = () => lo({ do: "look", what: "store", name: `Look ${gn(Et) + 1}` });
+var cl = () => uo({ do: "look", what: "store", name: `Look ${gn(Et) + 1}` });
 async function xr(e) {
   let t = !1;
   try {
@@ -1749,14 +1749,14 @@ async function xr(e) {
   }
   Q(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Ut = /* @__PURE__ */ new Map(), so = null;
+var Ut = /* @__PURE__ */ new Map(), lo = null;
 function fl(e) {
-  Ut = new Map(e.map((t) => [t.id, t])), so && Z(so), so = null;
+  Ut = new Map(e.map((t) => [t.id, t])), lo && Z(lo), lo = null;
 }
 var pl = () => [...Ut.values()], fa = (e) => Ut.get(e), Sr = (e) => Ut.get(e)?.why?.() ?? null;
 function Z(e) {
   let t = Ut.get(e);
-  Ut.size || (so = e);
+  Ut.size || (lo = e);
   let n = t?.why?.();
   n ? Q(n, "warn") : t?.run();
 }
@@ -1812,14 +1812,14 @@ function ha() {
 }
 
 // src/units.ts
-var co = 0.3048, va = {
+var fo = 0.3048, va = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: co, "'": co, in: co / 12, '"': co / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: fo, "'": fo, in: fo / 12, '"': fo / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -2053,16 +2053,16 @@ function _a() {
     s(Wt, { id: "seeing-menu", label: s(X, { children: [
       "Picture ",
       s(j, { name: "down" })
-    ] }), title: "Tone and white", children: s(ae, { part: "SeeingItems" }) }),
+    ] }), title: "Picture: tone, white, figures", children: s(ae, { part: "SeeingItems" }) }),
     s("button", { "aria-pressed": e.false_color !== null, onClick: kr, title: "False colour (B)", children: "False colour" }),
     s("button", { "aria-pressed": ve.value === "wipe", "aria-disabled": bn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     s("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => uo(1), children: s(j, { name: "minus" }) }),
+      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => co(1), children: s(j, { name: "minus" }) }),
       s("label", { children: [
         s("span", { "aria-hidden": "true", children: "EV" }),
         s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Lt({ ev: i(e.ev ?? 0) }) })
       ] }),
-      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => uo(-1), children: s(j, { name: "plus" }) }),
+      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => co(-1), children: s(j, { name: "plus" }) }),
       s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => F({ do: "expose" }), children: s(j, { name: r ? "lock" : "meter" }) })
     ] }),
     s(
@@ -2093,24 +2093,24 @@ function _a() {
 }
 
 // src/highlight.ts
-function fo(e) {
+function po(e) {
   Me.value = e, F({ do: "solo", lamps: e });
 }
 function Er(e) {
   let t = Me.peek(), n = e.every((o) => t.includes(o));
-  fo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+  po(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var yl = () => Er(re.peek()), Tr = () => fo([]), wn = null;
-function po(e) {
-  e && wn === null && re.peek().length ? (wn = Me.peek(), fo(re.peek())) : !e && wn !== null && (fo(wn), wn = null);
+var yl = () => Er(re.peek()), Tr = () => po([]), wn = null;
+function mo(e) {
+  e && wn === null && re.peek().length ? (wn = Me.peek(), po(re.peek())) : !e && wn !== null && (po(wn), wn = null);
 }
 
 // src/lights.ts
 var et = g(null), $r = () => {
 }, ka = () => {
 };
-function mo(e, t, n) {
-  ho(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
+function ho(e, t, n) {
+  vo(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
   let o = !0, r = 0;
   ka = T(() => {
     for (let [, i] of w.all()) ye(i);
@@ -2135,7 +2135,7 @@ function wa(e) {
     });
   });
 }
-function ho() {
+function vo() {
   $r(), ka(), et.value = null;
 }
 
@@ -2147,7 +2147,7 @@ var $a = g("W A S D"), Pr = {
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, _l = 1.8, Bt = /* @__PURE__ */ new Set(), vo = !1, go = 1, Lr = !1, Vr = 0;
+}, _l = 1.8, Bt = /* @__PURE__ */ new Set(), go = !1, bo = 1, Lr = !1, Vr = 0;
 function Pa(e) {
   let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
   if (Vr = e, !Bt.size) {
@@ -2159,7 +2159,7 @@ function Pa(e) {
     let [d, u, c] = Pr[l];
     n += d, o += u, r += c;
   }
-  let i = Math.max(1, Te(...Dt()) / 12), a = _l * t * go * Math.min(i, 6);
+  let i = Math.max(1, Te(...Dt()) / 12), a = _l * t * bo * Math.min(i, 6);
   (n || o || r) && ia(n * a, o * a, r * a), requestAnimationFrame(Pa);
 }
 function kn(e) {
@@ -2211,15 +2211,15 @@ function xl(e) {
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
 function Sl() {
-  D.peek() ? D.value = null : et.peek() ? ho() : ve.peek() ? ve.value = null : E.peek() ? to() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+  D.peek() ? D.value = null : et.peek() ? vo() : ve.peek() ? ve.value = null : E.peek() ? no() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function Ea(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? jt(-t * 24, n * 24, 3) : e.shiftKey ? ro(qt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? jt(-t * 24, n * 24, 3) : e.shiftKey ? io(qt(), -t * 0.05, n * 0.05) : ro(-t * 0.06, n * 0.06), !0);
 }
 function Ta(e) {
   let t = ie(), n = mt();
-  !t || !n || (t.height ? J(Qn(t, n, n.width / 2, n.height / 2, e)) : J(Yn(t, t.target, e, 0.3, !0)));
+  !t || !n || (t.height ? J(Jn(t, n, n.width / 2, n.height / 2, e)) : J(Qn(t, t.target, e, 0.3, !0)));
 }
 function Ml(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
@@ -2251,18 +2251,18 @@ function Ml(e) {
   let n = xa();
   if (n && Ea(e)) return e.preventDefault();
   if (n && e.code in Pr)
-    return go = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
+    return bo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
   if (n && (e.key === "+" || e.key === "=")) return Ta(0.85);
   if (n && (e.key === "-" || e.key === "_")) return Ta(1 / 0.85);
   if (!lr.peek()) return;
   if (e.shiftKey && Ca[e.code]) return qe(e, Ca[e.code]);
-  if (vo && /^\d$/.test(e.key)) {
-    e.preventDefault(), vo = !1;
+  if (go && /^\d$/.test(e.key)) {
+    e.preventDefault(), go = !1;
     let i = Et.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && lo({ do: "look", id: i, what: "recall", seconds: cr.peek() });
+    i !== void 0 && uo({ do: "look", id: i, what: "recall", seconds: cr.peek() });
     return;
   }
-  if (vo = e.key.toLowerCase() === "j", vo) return Q("Recall a look: now its digit.");
+  if (go = e.key.toLowerCase() === "j", go) return Q("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && re.peek().length) {
     e.preventDefault(), wr.value = e.key;
     return;
@@ -2277,17 +2277,17 @@ function Ml(e) {
 }
 function Cl() {
   let [e, t] = ke.peek(), n = Ft(e / 2, t / 2);
-  n && Ee("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
+  n && Ee("point", n, (o) => o.hit && ho(e / 2, t / 2, o));
 }
 function qe(e, t) {
   e.preventDefault(), Z(t);
 }
 function El(e) {
-  Bt.delete(e.code), e.key === "\\" && yn(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (go = 1);
+  Bt.delete(e.code), e.key === "\\" && yn(!1), e.key.toLowerCase() === "l" && mo(!1), e.key === "Shift" && (bo = 1);
 }
 function La() {
   addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
-    Bt.clear(), po(!1), yn(!1);
+    Bt.clear(), mo(!1), yn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
     $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
@@ -2295,14 +2295,14 @@ function La() {
 }
 function Tl(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Bt.delete(n);
-  go = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
+  bo = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
 }
 
 // src/levels.ts
-var Ir = (e) => Math.min(1, eo.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ar = (e) => {
-  let t = eo.peek() === "square" ? e * e : e;
+var Ir = (e) => Math.min(1, to.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ar = (e) => {
+  let t = to.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, $l = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.level ?? 0, bo = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.name ?? "";
+}, $l = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.level ?? 0, yo = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.name ?? "";
 function Rr(e) {
   let t = re.peek();
   return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
@@ -2319,7 +2319,7 @@ function Va(e, t, n) {
 var xn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = $l(t), this.from = t.kind === "lamp" ? new Map(Rr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ne(`${bo(t)} level`);
+    this.was = this.now = $l(t), this.from = t.kind === "lamp" ? new Map(Rr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ne(`${yo(t)} level`);
   }
   strip;
   gesture;
@@ -2330,16 +2330,16 @@ var xn = class {
     this.now = t, this.gesture.set(Va(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? Qe([...this.from.keys()]) : bo(this.strip);
+    let t = this.from.size > 1 ? Qe([...this.from.keys()]) : yo(this.strip);
     this.gesture.end(`${t} ${He(this.was)} → ${He(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function yo(e, t) {
+function _o(e, t) {
   let n = new Map(Rr(e).map((o) => [o, w.get(o)?.level ?? 0]));
-  Zo(`level ${e.kind} ${e.id}`, `${bo(e)} level`, Va(e, t, n));
+  Zo(`level ${e.kind} ${e.id}`, `${yo(e)} level`, Va(e, t, n));
 }
 function Sn(e, t) {
   if (!e.length) return;
@@ -2349,12 +2349,12 @@ function Sn(e, t) {
   })), o = e.length === 1 ? ` ${He(w.get(e[0])?.level ?? 0)} → ${He(n[e[0]].level)} %` : " level";
   ce(`${Qe(e)}${o}`, { lamps: n });
 }
-function _o(e, t) {
+function wo(e, t) {
   let n = t(O.get(e)?.level ?? 0);
   ce(`${O.get(e)?.name ?? "Group"} ${He(n)} %`, { groups: { [e]: { level: n } } });
 }
-function wo(e, t) {
-  let n = `${bo(e)} ${t ? "on" : "off"}`;
+function ko(e, t) {
+  let n = `${yo(e)} ${t ? "on" : "off"}`;
   e.kind === "group" ? ce(n, { groups: { [e.id]: { on: t } } }) : ce(n, { lamps: Object.fromEntries(Rr(e).map((o) => [o, { on: t }])) });
 }
 
@@ -2434,11 +2434,11 @@ function Hr(e) {
 }
 
 // src/faderrow.tsx
-function xo(e) {
+function So(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var ko = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+var xo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
 function Ra({ row: e, index: t, count: n }) {
   let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, l = i ?? a;
   if (!l) return null;
@@ -2462,21 +2462,21 @@ function Ra({ row: e, index: t, count: n }) {
       onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => ne.value = null,
       children: [
-        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => wo(r, !l.on), children: s(j, { name: "power" }) }),
+        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => ko(r, !l.on), children: s(j, { name: "power" }) }),
         s("div", { class: "top", children: [
           a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ha(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
-          s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
+          s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${xo(i)}` : l.name, onClick: (y) => Mo(y, e.kind, e.id), children: [
             s("span", { children: l.name }),
             a && s("small", { children: d.length }),
             i?.parked && s("small", { children: "parked" }),
-            i && !i.free && s("small", { class: "traced", title: ko(i), children: [
+            i && !i.free && s("small", { class: "traced", title: xo(i), children: [
               "↻",
               s("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
           i && s("span", { class: "tint", children: [
             s("i", { class: "swatch", style: { background: Mn(i.swatch) } }),
-            xo(i)
+            So(i)
           ] }),
           s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => Er(d), children: s(j, { name: "solo" }) })
         ] }),
@@ -2491,9 +2491,9 @@ function Ra({ row: e, index: t, count: n }) {
               notch: 0.01,
               on: (y) => {
                 let b = Ar(y);
-                o.current ? o.current.to(b) : yo(r, b);
+                o.current ? o.current.to(b) : _o(r, b);
               },
-              reset: () => yo(r, 1),
+              reset: () => _o(r, 1),
               ...S
             }
           ),
@@ -2505,7 +2505,7 @@ function Ra({ row: e, index: t, count: n }) {
               value: l.level,
               flux: u,
               step: 0.01,
-              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : _o(e.id, y)
+              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : wo(e.id, y)
             }
           ),
           s("span", { class: "lumens", children: _n(c, "flux") })
@@ -2543,8 +2543,8 @@ function Ka({ row: e, index: t, count: n }) {
       onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => ne.value = null,
       children: [
-        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => wo(e, !i.on), children: s(j, { name: "power" }) }),
-        s("button", { class: "row-name", "aria-pressed": a, title: o ? ko(o) : void 0, onClick: (u) => So(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
+        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => ko(e, !i.on), children: s(j, { name: "power" }) }),
+        s("button", { class: "row-name", "aria-pressed": a, title: o ? xo(o) : void 0, onClick: (u) => Mo(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
         s(
           gt,
           {
@@ -2553,13 +2553,13 @@ function Ka({ row: e, index: t, count: n }) {
             value: i.level,
             flux: o?.flux,
             step: 0.01,
-            set: (u) => o ? Sn([e.id], u) : _o(e.id, u)
+            set: (u) => o ? Sn([e.id], u) : wo(e.id, u)
           }
         ),
         s("span", { class: "lumens", children: Re(l) }),
-        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${xo(o)}`, onClick: () => _e("lamp", e.id), children: [
+        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${So(o)}`, onClick: () => _e("lamp", e.id), children: [
           s("i", { class: "swatch", style: { background: Mn(o.swatch) } }),
-          xo(o)
+          So(o)
         ] }) : s("span", {})
       ]
     }
@@ -2584,13 +2584,13 @@ function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
 }
 
 // src/lamps.tsx
-var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Fa = G(() => {
-  let e = Mo.value.trim().toLowerCase(), t = (r) => {
+var Co = g(""), bt = g(/* @__PURE__ */ new Set()), Eo = g("group"), Fa = G(() => {
+  let e = Co.value.trim().toLowerCase(), t = (r) => {
     let i = w.get(r);
     return i ? !e || `${i.name} ${i.kind} ${O.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
   };
-  if (Co.value !== "group" && Ht.value === "sheet") {
-    let r = Co.value, i = w.all().filter(([a]) => t(a));
+  if (Eo.value !== "group" && Ht.value === "sheet") {
+    let r = Eo.value, i = w.all().filter(([a]) => t(a));
     return i.sort(([, a], [, l]) => r === "name" ? a.name.localeCompare(l.name, "en", { numeric: !0 }) : l[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
   }
   let n = [], o = /* @__PURE__ */ new Set();
@@ -2615,7 +2615,7 @@ function Ha(e) {
   let t = new Set(bt.peek());
   t.delete(e) || t.add(e), bt.value = t;
 }
-function So(e, t, n) {
+function Mo(e, t, n) {
   e.shiftKey ? ea(t, Fa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : _e(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
 function Rl(e) {
@@ -2647,14 +2647,14 @@ function qa() {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: Mo.value,
-          onInput: (i) => Mo.value = i.currentTarget.value,
+          value: Co.value,
+          onInput: (i) => Co.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (Mo.value = "", i.stopPropagation());
+            i.key === "Escape" && (Co.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && s("select", { "aria-label": "Order", value: Co.value, onChange: (i) => Co.value = i.currentTarget.value, children: [
+      r && s("select", { "aria-label": "Order", value: Eo.value, onChange: (i) => Eo.value = i.currentTarget.value, children: [
         s("option", { value: "group", children: "by group" }),
         s("option", { value: "name", children: "by name" }),
         s("option", { value: "flux", children: "by flux" }),
@@ -2731,8 +2731,8 @@ T(() => {
 });
 
 // src/probe.ts
-var Eo = g(null);
-function To(e, t, n) {
+var To = g(null);
+function $o(e, t, n) {
   let o = Ft(e, t);
   if (!o) return n(null);
   Ee("point", o, (r) => n(r.hit ? r : null));
@@ -2801,7 +2801,7 @@ function Wa() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    s("span", { class: "probe", "aria-live": "off", children: ja(Eo.value) }),
+    s("span", { class: "probe", "aria-live": "off", children: ja(To.value) }),
     s("span", { class: "gap" }),
     s("span", { children: te.value.you ? "editing: you" : `editing: ${te.value.name ?? "somebody else"}` }),
     s("span", { class: "spoken", children: [
@@ -2834,7 +2834,7 @@ function za(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = c(h), P = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Fl(Zn.peek(), h.button, L);
+    let [v, $] = c(h), P = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Fl(eo.peek(), h.button, L);
     I === "look" && ie()?.height && (I = "pan"), D.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2879,11 +2879,11 @@ function za(e, t) {
       switch (v.motion) {
         case "look": {
           let H = v.touch ? 1 : -1;
-          oo(H * L * Ba, H * I * Ba);
+          ro(H * L * Ba, H * I * Ba);
           break;
         }
         case "orbit":
-          ro(o, -L * 6e-3, -I * 6e-3);
+          io(o, -L * 6e-3, -I * 6e-3);
           break;
         case "pan":
           jt(L, I, r);
@@ -2919,7 +2919,7 @@ function za(e, t) {
   function b(h, v, $, P) {
     let L = ie(), I = mt();
     if (!L || !I) return;
-    if (L.height) return J(Qn(L, I, h, v, $));
+    if (L.height) return J(Jn(L, I, h, v, $));
     let H = performance.now();
     if (!y || H - y.time > 500 || Math.hypot(h - y.x, v - y.y) > 6) {
       y = { x: h, y: v, time: H, point: null };
@@ -2929,14 +2929,14 @@ function za(e, t) {
       });
     }
     y.time = H;
-    let [os, rs] = [h - I.width / 2, I.height / 2 - v], is = Math.min(r, Te(L.eye, qt()) + 1), $o = (_t) => L.eye[_t] + (I.forward[_t] + I.side[_t] * os * I.pixel + I.up[_t] * rs * I.pixel) * is, jr = y.point ?? [$o(0), $o(1), $o(2)];
-    J(Yn(L, jr, $, Nl, P)), P && Te(L.eye, jr) < 0.5 && (y = null);
+    let [os, rs] = [h - I.width / 2, I.height / 2 - v], is = Math.min(r, Te(L.eye, qt()) + 1), Po = (_t) => L.eye[_t] + (I.forward[_t] + I.side[_t] * os * I.pixel + I.up[_t] * rs * I.pixel) * is, jr = y.point ?? [Po(0), Po(1), Po(2)];
+    J(Qn(L, jr, $, Nl, P)), P && Te(L.eye, jr) < 0.5 && (y = null);
   }
   function R(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
     let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [L, I] = c(h);
-    if (Zn.peek() === "trackpad" && !h.ctrlKey) return jt(-$, -P, r);
+    if (eo.peek() === "trackpad" && !h.ctrlKey) return jt(-$, -P, r);
     let H = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs($) ? P : $);
     b(L, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
@@ -2995,7 +2995,7 @@ function Ga() {
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Xa = ao, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+var Xa = so, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 function Nr(e, t) {
   let n = Vt(t);
   return jl.map(([o, r]) => e.line(n[o], n[r])).join("");
@@ -3171,7 +3171,7 @@ function Bl() {
           "button",
           {
             onClick: () => {
-              io.value = "disc", br("add");
+              ao.value = "disc", br("add");
             },
             children: "ceiling lamp"
           }
@@ -3215,7 +3215,7 @@ function Ja() {
     ] }),
     s("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => s("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      s("button", { class: "icon", "aria-label": "Close", onClick: () => Go(t.id), children: s(j, { name: "close" }) })
+      s("button", { class: "icon", "aria-label": "Close", onClick: () => Xo(t.id), children: s(j, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
@@ -3232,14 +3232,14 @@ var Gl = {
   click(e, t, n) {
     let o = Za(e, t);
     if (D.peek() === null && o) return _e(o.kind, o.id, n);
-    To(e, t, (r) => {
-      if (r && (no.value = { point: r.point, normal: r.normal }), D.peek() !== null) return sa(r);
+    $o(e, t, (r) => {
+      if (r && (oo.value = { point: r.point, normal: r.normal }), D.peek() !== null) return sa(r);
       na(r, n);
     });
   },
   menu(e, t) {
-    To(e, t, (n) => {
-      n && mo(e, t, n);
+    $o(e, t, (n) => {
+      n && ho(e, t, n);
     });
   },
   double() {
@@ -3247,8 +3247,8 @@ var Gl = {
   },
   hover(e, t) {
     let n = Za(e, t);
-    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), To(e, t, (o) => {
-      Eo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
+    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), $o(e, t, (o) => {
+      To.value = o, o && (oo.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
@@ -3383,7 +3383,7 @@ export {
   Z as act,
   M as add,
   ua as addMeter,
-  io as adding,
+  ao as adding,
   la as aim,
   pl as allActions,
   Ee as ask,
@@ -3392,8 +3392,8 @@ export {
   Ot as candles,
   re as chosenLamps,
   Tr as clearSolo,
-  ho as closeWhat,
-  lo as command,
+  vo as closeWhat,
+  uo as command,
   yn as compareHeld,
   ve as comparing,
   Gi as compass,
@@ -3403,7 +3403,7 @@ export {
   fe as cross,
   Mn as css,
   Js as cut,
-  to as deselect,
+  no as deselect,
   B as digits,
   ut as display,
   Te as distance,
@@ -3412,7 +3412,7 @@ export {
   ce as edit,
   te as editor,
   T as effect,
-  uo as exposeBy,
+  co as exposeBy,
   cr as fade,
   ll as falseColor,
   Es as filterOf,
@@ -3429,11 +3429,11 @@ export {
   at as grids,
   O as groups,
   js as handles,
-  Zn as hands,
+  eo as hands,
   Ce as hear,
   ie as here,
   Ia as hex,
-  po as highlight,
+  mo as highlight,
   st as history,
   ir as houseLights,
   ne as hovered,
@@ -3460,7 +3460,7 @@ export {
   He as percent,
   It as pinhole,
   rl as placed,
-  ao as positionOf,
+  so as positionOf,
   il as positions,
   pn as project,
   As as ray,
@@ -3481,14 +3481,14 @@ export {
   lr as singleKeys,
   yl as soloSelection,
   ca as spacing,
-  no as spot,
+  oo as spot,
   br as startTool,
   Le as status,
   Us as stepSelection,
   cl as storeLook,
   ul as storeView,
   Zo as stroke,
-  yo as strokeLevel,
+  _o as strokeLevel,
   A as sub,
   rr as theme,
   be as things,
@@ -3499,7 +3499,7 @@ export {
   kr as toggleFalse,
   hl as toggleWipe,
   D as tool,
-  eo as travel,
+  to as travel,
   fn as turn,
   Sn as typeLevel,
   he as up,
@@ -3512,7 +3512,7 @@ export {
   ar as walking,
   wr as wantLevel,
   et as what,
-  zn as whyNot,
+  Gn as whyNot,
   Sr as whyNotTo,
   dl as wipeAt
 };

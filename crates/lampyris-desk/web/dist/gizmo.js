@@ -476,7 +476,7 @@ function W(e) {
 function A(e) {
   return at("label", { class: "line", children: [
     ne("span", { children: e.label }),
-    ne(Bn, { ...e })
+    ne(Bn, { ...e, label: e.name ?? e.label })
   ] });
 }
 function Ho(e, t) {
@@ -755,6 +755,7 @@ function Jn() {
         A,
         {
           label: "",
+          name: "Colour temperature, typed",
           quantity: "kelvin",
           value: W(t.map((o) => o.kelvin)),
           step: 50,
@@ -778,7 +779,7 @@ function Jn() {
           }
         )
       ] }),
-      H(A, { label: "", quantity: "number", value: W(t.map((o) => o.tint)), step: 1, set: (o) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, o(i.tint))) })) })
+      H(A, { label: "", name: "Tint, typed", quantity: "number", value: W(t.map((o) => o.tint)), step: 1, set: (o) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, o(i.tint))) })) })
     ] }),
     n === "rgb" && ce(Ht, { children: [
       ce("label", { class: "line", children: [
@@ -1260,7 +1261,7 @@ function Aa() {
       S("span", { children: s }),
       S(Ce, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Xt(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
-    S(A, { label: "", quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
+    S(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
   ] });
   return X(Qt, { children: [
     S("header", { class: "panel-head", children: S("h2", { children: t.name }) }),
@@ -1271,7 +1272,7 @@ function Aa() {
           S("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
           S(Ce, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: o, text: Xt(o, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
-        S(A, { label: "", quantity: "share", step: 0.01, value: Math.round(o * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(o))) }) }),
+        S(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(o * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(o))) }) }),
         X("label", { class: "line", children: [
           S("span", { children: "Colour" }),
           S("input", { type: "color", class: "pick", "aria-label": "Colour", value: Nr(l), onChange: (s) => n("colour", { [a]: Fr(s.currentTarget.value) }) })

@@ -9,13 +9,15 @@ export {
 } from './actions';
 export { before, compareHeld, comparing, toggleWipe, wipeAt } from './before';
 export { compass, pinhole, PRESETS, project, ray, type Pinhole, type Preset } from './camera';
+export { colorText, cost } from './faderrow';
 export { Field } from './field';
 export { shown } from './frames';
 export { edit, Gesture, show, stroke, whyNot } from './gesture';
 export { clearSolo, highlight, soloSelection } from './highlight';
 export { Icon } from './icon';
 export { padWalk, walkNames } from './keys';
-export { Fade, strokeLevel, toLevel, toTravel, typeLevel, type Strip } from './levels';
+export { pickRow, type Row } from './lamps';
+export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLevel, type Strip } from './levels';
 export { closeWhat, what } from './lights';
 export { Item } from './menu';
 export {
