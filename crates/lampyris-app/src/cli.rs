@@ -226,6 +226,9 @@ pub(crate) struct ViewerArgs {
     pub(crate) size: (u32, u32),
     #[command(flatten)]
     pub(crate) view: ViewArgs,
+    /// Batches after which a picture is finished
+    #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) batches: u32,
     /// Threads that render [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub(crate) threads: Option<u32>,

@@ -18,6 +18,7 @@ pub(crate) fn view(args: ViewerArgs) -> Result<ExitCode, Failure> {
         exposed: args.expose,
         file: args.scene.file.clone(),
         size: args.size.into(),
+        batches: args.batches,
         threads: args.threads.map(|n| n as usize),
         ends_with_page: args.exit_with_page,
     };

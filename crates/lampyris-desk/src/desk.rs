@@ -7,6 +7,7 @@ use crate::adding::NewLamp;
 use crate::door::{Door, Role};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
+use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
 use crate::saving;
@@ -15,6 +16,7 @@ use crate::state;
 use crate::studio::{Asked, Found, Progress, Studio};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
 use lampyris::Rgb;
+use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
 use serde_json::{Value, json};
@@ -56,6 +58,10 @@ pub(crate) enum Event {
     /// An exposure was metered.
     Metered {
         ev: f32,
+    },
+    /// What the meters read.
+    Measured {
+        readings: Vec<Estimate>,
     },
     /// Edits were written down, or could not be.
     Saved {
@@ -100,6 +106,9 @@ pub(crate) struct Desk {
     scene: Option<Scene>,
     warnings: Vec<String>,
     look: Option<Look>,
+    layout: Layout,
+    /// What is said of meters and grids.
+    told: Value,
     saved: Value,
     /// Since when there is something to save.
     unsaved: Option<Instant>,
@@ -144,6 +153,8 @@ impl Desk {
             scene: None,
             warnings: Vec::new(),
             look: None,
+            layout: Layout::default(),
+            told: Value::Null,
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
             cameras: 0,
@@ -169,6 +180,7 @@ impl Desk {
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
                     self.look = Some(look);
                     self.screen.mix(self.colors(), 0.0);
+                    self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
                 }
                 Event::Joined { client, role } => self.join(client, role),
@@ -199,6 +211,10 @@ impl Desk {
                         self.saved["state"] = "waiting".into();
                     }
                     self.tell_patch(json!({"saved": self.saved}));
+                }
+                Event::Measured { readings } => {
+                    self.told = self.layout.told(&readings);
+                    self.tell_readings();
                 }
                 Event::Idle => self.save(None),
                 Event::Refused { why } => {
@@ -331,6 +347,7 @@ impl Desk {
                 Ok(false)
             }
             Do::Camera(look) => {
+                let look = look.in_perspective();
                 self.cameras += 1;
                 self.studio.look(look.clone(), self.cameras, seq);
                 self.look = Some(look);
@@ -455,6 +472,23 @@ impl Desk {
             .map(|link| json!({"id": link.id, "role": link.role, "address": self.door.address_of(link)}));
         self.hub.tell(client, &json!({"is": "links", "links": told.collect::<Vec<_>>()}));
         Ok(())
+    }
+
+    /// What meters and grids there are.
+    fn lay_out(&mut self) {
+        self.layout = Layout::of(&self.model, -self.down(), self.look.as_ref());
+        self.studio.measure(self.layout.points.clone());
+    }
+
+    fn tell_readings(&self) {
+        let mut patch = json!({});
+        for (slice, notes) in [("meters", &self.model.notes.meters), ("grids", &self.model.notes.grids)] {
+            let read = notes.keys().filter(|id| !self.told[slice][id.to_string()].is_null());
+            let entries = read
+                .map(|id| (id.to_string(), state::measured(&notes[id], &self.told[slice][id.to_string()])));
+            patch[slice] = entries.collect::<serde_json::Map<_, _>>().into();
+        }
+        self.tell_patch(patch);
     }
 
     fn tell_patch(&self, patch: Value) {

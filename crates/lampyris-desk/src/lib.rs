@@ -15,6 +15,7 @@ mod error;
 mod history;
 mod http;
 mod hub;
+mod meters;
 mod mixer;
 mod model;
 mod opening;
@@ -50,6 +51,8 @@ pub struct Options {
     pub file: PathBuf,
     /// Width and height of pictures before a page says what it has room for [pixels].
     pub size: [u32; 2],
+    /// Batches after which a picture is finished.
+    pub batches: u32,
     /// Threads that render; all cores where `None`.
     pub threads: Option<usize>,
     /// Whether to end when the last page is closed.
@@ -93,7 +96,7 @@ pub fn serve<E: From<Error> + Send>(
         door: door.clone(),
         studio: studio.clone(),
         screen: screen.clone(),
-        file: options.file,
+        file: options.file.clone(),
         build: server.build.clone(),
         ends_alone: options.ends_with_page,
     };
@@ -105,9 +108,8 @@ pub fn serve<E: From<Error> + Send>(
         scope.spawn(move || desk.run(&events));
         let metered = inbox.clone();
         scope.spawn(|| screen.run(&hub, move |ev| metered.put(Event::Metered { ev })));
-        let done = open().and_then(|opened| {
-            studio::run(&studio, opened, options.size, options.threads, &screen, &inbox).map_err(E::from)
-        });
+        let done = open()
+            .and_then(|opened| studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from));
         if done.is_err() {
             inbox.put(Event::End);
         }

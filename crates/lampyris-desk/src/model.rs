@@ -173,11 +173,7 @@ impl Model {
         // From here on nothing can be refused.
         for (own, patch, inverse) in notes {
             for (id, note) in patch {
-                let before = match note {
-                    Some(note) => own.insert(*id, note.clone()),
-                    None => own.remove(id),
-                };
-                inverse.insert(*id, before);
+                inverse.insert(*id, noted(own, *id, note.as_ref()));
             }
         }
         new.lamps.into_iter().for_each(|(id, lamp)| self.lamps[id as usize] = lamp);
@@ -220,6 +216,21 @@ impl Model {
         let is = |lamp: &Lamp| matches!(&lamp.body, Body::Surface(things) if things.contains(&instance));
         self.lamps.iter().position(is).map(|at| at as u32)
     }
+}
+
+/// Changes the fields of a note that a patch names, or all of it away; returns what takes it back. A field that is null is none.
+fn noted(own: &mut BTreeMap<u32, Value>, id: u32, note: Option<&Value>) -> Option<Value> {
+    let Some(note) = note else { return own.remove(&id) };
+    let (Some(Value::Object(before)), Value::Object(fields)) = (own.get_mut(&id), note) else {
+        return own.insert(id, note.clone());
+    };
+    let mut inverse = serde_json::Map::new();
+    for (name, field) in fields {
+        let old =
+            if field.is_null() { before.remove(name) } else { before.insert(name.clone(), field.clone()) };
+        inverse.insert(name.clone(), old.unwrap_or_default());
+    }
+    Some(inverse.into())
 }
 
 struct Copies {

@@ -22,7 +22,12 @@ enum Bond {
 pub(crate) fn open(world: &World) -> Model {
     let scene = world.scene();
     let things: Vec<Thing> = scene.instances.iter().map(|instance| thing(scene, instance)).collect();
-    let bonds: BTreeSet<Bond> = scene.reference.shares.iter().map(|share| bond(share.source)).collect();
+    // In the order in which they first shone: what was added comes last, and keeps its number.
+    let mut bonds: Vec<Bond> = Vec::new();
+    let mut met = BTreeSet::new();
+    bonds.extend(
+        scene.reference.shares.iter().map(|share| bond(share.source)).filter(|bond| met.insert(*bond)),
+    );
     let names: Vec<String> = bonds.iter().map(|bond| name(scene, *bond)).collect();
     let mut groups: Vec<String> = Vec::new();
     let lamps = bonds.into_iter().zip(&names).zip(unique(&names));

@@ -173,7 +173,15 @@ impl Patch {
         ];
         for (own, older) in notes {
             for (id, note) in older {
-                own.entry(id).or_insert(note);
+                match (own.get_mut(&id), note) {
+                    (None, note) => drop(own.insert(id, note)),
+                    (Some(Some(Value::Object(own))), Some(Value::Object(older))) => {
+                        older.into_iter().for_each(|(name, field)| {
+                            own.entry(name).or_insert(field);
+                        });
+                    }
+                    (Some(_), _) => {}
+                }
             }
         }
     }

@@ -170,7 +170,9 @@ pub(crate) fn restore(model: &mut Model, value: &Value) -> Vec<String> {
         let group = |own: KeptGroup| Group { name: own.name, on: own.on, level: own.level, gone: own.gone };
         model.groups = kept.groups.into_iter().map(group).collect();
         // Lamps that are new since find a group of their name, or bring it.
-        for lamp in &mut model.lamps {
+        let paths_of = paths(model.lamps.iter().map(|own| own.file_name.as_str()));
+        let new = paths_of.iter().zip(&mut model.lamps).filter(|(path, _)| !kept.lamps.contains_key(*path));
+        for (_, lamp) in new {
             let name = old.get(lamp.group as usize).map_or(String::new(), |own| own.name.clone());
             let at = model.groups.iter().position(|own| own.name == name && !own.gone).unwrap_or_else(|| {
                 model.groups.push(Group { name, on: true, level: 1.0, gone: false });
@@ -189,6 +191,7 @@ pub(crate) fn restore(model: &mut Model, value: &Value) -> Vec<String> {
         let own = &mut model.lamps[at];
         let FileLamp { place, colors, shining, flux, own: added, kind, bounds } = kept.file;
         let before = own.clone();
+        own.file_group = own.file_group.min(groups.saturating_sub(1));
         (own.file_place, own.place) = (place.clone(), place);
         (own.shining, own.flux, own.own, own.bounds) = (shining, flux, added, bounds);
         own.emitters.iter_mut().zip(colors).for_each(|((_, own), color)| *own = color);

@@ -214,6 +214,15 @@ pub(crate) fn white(value: &Value) -> Result<Rgb, String> {
     Ok(light * (1.0 / light.luminance()))
 }
 
+/// A note with what was measured for it.
+pub(crate) fn measured(note: &Value, told: &Value) -> Value {
+    let mut note = note.clone();
+    if let (Some(note), Some(told)) = (note.as_object_mut(), told.as_object()) {
+        note.extend(told.clone());
+    }
+    note
+}
+
 /// What all faders stand at.
 pub(crate) fn faders(model: &Model) -> Patch {
     let lamp = |own: &Lamp| {

@@ -1,6 +1,7 @@
 //! The renderer's thread: it owns the session, does what it is asked between batches, and hands light to the screen. While
 //! something moves it draws small pictures, so that many of them fit into a second.
 
+use crate::Options;
 use crate::desk::{Event, Inbox};
 use crate::error::Result;
 use crate::hub::CameraText;
@@ -8,15 +9,20 @@ use crate::opening;
 use crate::saver::Saver;
 use crate::saving;
 use crate::screen::{Frame, Light, Screen};
-use crate::wire::{Kind, Look};
+use crate::wire::{Kind, LEAST, Look};
 use glam::Vec3;
+use lampyris::Rgb;
 use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
 use lampyris::document::{self, Document};
-use lampyris::scene::{Camera, Edit, Scene, View, find_view, upward};
+use lampyris::eye::Meter;
+use lampyris::frame::Frame as Sums;
+use lampyris::measuring::Estimate;
+use lampyris::scene::{Camera, Edit, Mesh, Scene, View, find_view, upward};
 use lampyris::session::Session;
 use lampyris::world::World;
 use serde_json::Value;
+use std::f32::consts::PI;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -24,15 +30,22 @@ use std::time::{Duration, Instant};
 /// Light groups that lamps are sorted into when a scene opens.
 pub(crate) const GROUPS: usize = 16;
 
-/// Batches after which a picture is finished.
-const ENOUGH: u32 = 256;
-
 /// How long nothing must move before the picture is drawn in its full size.
 const REST: Duration = Duration::from_millis(160);
 
-/// What a frame shall take while something moves [s], and the least share of the full edges it may have then.
-const QUICK: f32 = 0.07;
-const SMALLEST: f32 = 0.25;
+/// What a sketch shall take while something moves [s], and the shares of the full edges that it may have.
+const QUICK: f32 = 0.06;
+const EDGES: [f32; 4] = [0.75, 0.5, 0.375, 0.25];
+
+/// Batches of a sketch, if nothing moves on meanwhile.
+const SKETCHED: u32 = 4;
+
+/// Batches of meters, and light paths of each.
+const METERED: u32 = 64;
+const METER_PATHS: u32 = 512;
+
+/// How often a picture is sent that hardly changes.
+const SELDOM: Duration = Duration::from_millis(400);
 
 /// Relative error at which a picture is good.
 pub(crate) const GOOD: f32 = 0.02;
@@ -54,6 +67,8 @@ struct Work {
     /// Edits in order; of those of one thing that follow each other only the last.
     edits: Vec<(Edit, u32)>,
     questions: Vec<Asked>,
+    /// Where to measure from now on.
+    meters: Option<Vec<Meter>>,
     /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
     save: Option<(Value, Option<String>)>,
     ended: bool,
@@ -134,6 +149,11 @@ impl Studio {
         self.put(true, |work| work.ended = true);
     }
 
+    /// Measures at some points, in the place of those before.
+    pub(crate) fn measure(&self, meters: Vec<Meter>) {
+        self.put(false, |work| work.meters = Some(meters));
+    }
+
     /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
     pub(crate) fn save(&self, desk: Value, name: Option<String>) {
         self.put(false, |work| work.save = Some((desk, name)));
@@ -162,6 +182,7 @@ impl Studio {
                 && work.edits.is_empty()
                 && work.questions.is_empty()
                 && work.save.is_none()
+                && work.meters.is_none()
         };
         while idle(&work) {
             work = match until.map(|until| until.saturating_duration_since(Instant::now())) {
@@ -195,33 +216,42 @@ struct Stage {
     saver: Saver,
     look: Arc<Look>,
     camera: Arc<CameraText>,
-    /// What was asked for, and what is drawn now.
     size: [u32; 2],
-    drawn: [u32; 2],
+    sketch: [u32; 2],
+    /// Batches after which a picture is finished.
+    enough: u32,
     /// The last message that asked for rays and was followed.
     seq: u32,
     /// When something moved last.
     moved: Option<Instant>,
-    /// What a pixel takes in a batch [s].
+    /// What a pixel of a sketch takes in a batch [s].
     pixel: f32,
     shown: Instant,
+}
+
+/// Whose batch is next.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    Sketch,
+    Picture,
+    Meters,
 }
 
 /// Opens a scene and renders it until the end.
 pub(crate) fn run(
     studio: &Studio,
     opened: Opened,
-    size: [u32; 2],
-    threads: Option<usize>,
+    options: &Options,
     screen: &Screen,
     inbox: &Inbox,
 ) -> Result<()> {
-    let settings = Settings::interactive();
-    let Opened { document, camera } = opened;
-    let document::Opened { scene, before, document: own, warnings, .. } = &document;
+    let Options { size, threads, batches, .. } = *options;
+    let Opened { mut document, camera } = opened;
+    let (scene, own) = (std::mem::take(&mut document.scene), document.document.clone());
     let cpu = Cpu::new(threads)?;
-    let mut world = cpu.install(|| World::new(scene.clone()));
+    let mut world = cpu.install(|| World::new(scene));
     cpu.install(|| world.separate(own.layers.map_or(GROUPS, |layers| layers as usize)))?;
+    let scene = world.scene();
     let aspect = size[0] as f32 / size[1] as f32;
     let found = || find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera;
     let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
@@ -229,19 +259,13 @@ pub(crate) fn run(
     let look = Arc::new(Look::from(&camera));
     world.apply(&Edit::View { camera: Some(camera) })?;
     let mut model = opening::open(&world);
-    let lost = saving::restore(&mut model, &own.desk);
-    let bare = bare(world.scene());
-    let session = Session::begin(cpu, world, size, &settings)?;
-    let warnings =
-        warnings.iter().cloned().chain(lost.into_iter().map(|lost| format!("not found any more: {lost}")));
-    inbox.put(Event::Opened {
-        model: Box::new(model),
-        scene: Box::new(bare),
-        look: (*look).clone(),
-        warnings: warnings.collect(),
-    });
-    let before = before.clone();
-    let own = own.clone();
+    let lost =
+        saving::restore(&mut model, &own.desk).into_iter().map(|lost| format!("not found any more: {lost}"));
+    let warnings = document.warnings.iter().cloned().chain(lost).collect();
+    let scene = Box::new(bare(world.scene()));
+    let session = Session::begin(cpu, world, size, &Settings::interactive())?;
+    inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
+    let before = document.before.clone();
     let saver = Saver::start(document, inbox.clone())?;
     let mut stage = Stage {
         session,
@@ -251,7 +275,8 @@ pub(crate) fn run(
         camera: Arc::new(camera_text(&look, 0)),
         look,
         size,
-        drawn: size,
+        sketch: [0; 2],
+        enough: batches,
         seq: 0,
         moved: None,
         pixel: 0.0,
@@ -262,11 +287,8 @@ pub(crate) fn run(
 
 /// A scene without its geometry: what edits are tried on.
 fn bare(scene: &Scene) -> Scene {
-    let meshes = scene.meshes.iter().map(|mesh| lampyris::scene::Mesh {
-        materials: mesh.materials.first().copied().into_iter().collect(),
-        ..Default::default()
-    });
-    Scene { meshes: meshes.collect(), images: Vec::new(), up: Some(upward(scene)), ..scene.clone() }
+    let meshes = vec![Mesh::default(); scene.meshes.len()];
+    Scene { meshes, up: Some(upward(scene)), ..document::outline(scene) }
 }
 
 pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
@@ -275,70 +297,106 @@ pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
     CameraText { number, text: text.to_string() }
 }
 
+/// A batch that is soon done, of a picture that is soon another.
+fn sketchy() -> Settings {
+    let own = Settings::interactive();
+    Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, edges: 0, ..own }
+}
+
 impl Stage {
     fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<()> {
+        let mut last = Turn::Meters;
         loop {
-            let work = studio.take(self.wait());
+            let (turn, until) = self.turn(last);
+            let work = studio.take(until);
             if work.ended {
-                return Ok(());
+                return self.follow(work, inbox);
             }
             self.follow(work, inbox)?;
-            let moving = self.moved.is_some_and(|at| at.elapsed() < REST);
-            if !moving && self.moved.take().is_some() && self.drawn != self.size {
-                self.draw_in(self.size)?;
-            }
-            let batches = self.session.frame()?.batches();
-            if batches >= ENOUGH || (moving && batches >= 2) {
-                continue;
-            }
+            // What was asked may have changed whose turn it is.
+            let Some(turn) = self.turn(last).0.or(turn) else { continue };
+            let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
-            if !self.session.step_while(&|| !studio.urgent.load(Ordering::Relaxed))? {
+            let done = match turn {
+                Turn::Sketch => self.session.step_sketch(&go_on)?,
+                Turn::Picture => self.session.step_while(&go_on)?,
+                Turn::Meters => self.session.step_meters(&go_on)?,
+            };
+            if !done {
                 continue;
             }
+            last = turn;
             let seconds = begun.elapsed().as_secs_f32();
-            let pixels = (self.drawn[0] * self.drawn[1]) as f32;
-            self.pixel =
-                if self.pixel == 0.0 { seconds / pixels } else { 0.7 * self.pixel + 0.3 * seconds / pixels };
-            self.show(moving, seconds, screen, inbox)?;
+            match turn {
+                Turn::Sketch => {
+                    let pixel = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
+                    self.pixel = if self.pixel == 0.0 { pixel } else { 0.7 * self.pixel + 0.3 * pixel };
+                    self.show(Turn::Sketch, seconds, screen, inbox)?;
+                }
+                Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
+                Turn::Meters => {
+                    let readings = self.session.meters().map(read).unwrap_or_default();
+                    inbox.put(Event::Measured { readings });
+                }
+            }
         }
     }
 
-    /// Until when nothing is to be done: not at all while there are batches to add.
-    fn wait(&mut self) -> Option<Instant> {
-        let batches = self.session.frame().map_or(0, |frame| frame.batches());
-        match self.moved {
-            Some(at) if batches >= 2 => Some(at + REST),
-            _ if batches >= ENOUGH => None,
-            _ => Some(Instant::now()),
+    /// Whose turn it is, if it is anybody's, and until when there is nothing to do but what is asked.
+    fn turn(&mut self, last: Turn) -> (Option<Turn>, Option<Instant>) {
+        let now = Instant::now();
+        let rest = self.moved.map(|at| at + REST).filter(|rest| *rest > now);
+        let sketched = self.session.sketched().map_or(0, Sums::batches);
+        if let Some(rest) = rest {
+            return if sketched < SKETCHED { (Some(Turn::Sketch), Some(now)) } else { (None, Some(rest)) };
         }
+        let picture = !self.session.is_current() || self.batches() < self.enough;
+        let meters = self.session.meters().is_some_and(|frame| frame.batches() < METERED);
+        match (picture, meters) {
+            (true, true) if last == Turn::Picture => (Some(Turn::Meters), Some(now)),
+            (true, _) => (Some(Turn::Picture), Some(now)),
+            (false, true) => (Some(Turn::Meters), Some(now)),
+            (false, false) => (None, None),
+        }
+    }
+
+    fn batches(&mut self) -> u32 {
+        self.session.frame().map_or(0, Sums::batches)
     }
 
     /// Does what was asked.
     fn follow(&mut self, work: Work, inbox: &Inbox) -> Result<()> {
         for (edit, seq) in work.edits {
-            let changes = match self.session.edit(&edit) {
-                Ok(changes) => changes,
-                Err(error) => {
-                    inbox.put(Event::Refused { why: error.to_string() });
-                    continue;
+            match self.session.edit(&edit) {
+                Err(error) => inbox.put(Event::Refused { why: error.to_string() }),
+                Ok(changes) => {
+                    let lights = !changes.groups.is_empty() && !matches!(edit, Edit::Regroup { .. });
+                    if changes.restarts_all() || lights {
+                        self.begin_to_move()?;
+                    }
+                    self.seq = self.seq.max(seq);
                 }
-            };
-            if changes.restarts_all() || !changes.groups.is_empty() {
-                self.moved = Some(Instant::now());
             }
-            self.seq = self.seq.max(seq);
         }
-        let resized = work.size.is_some_and(|size| size != self.size);
-        self.size = work.size.unwrap_or(self.size);
+        if let Some(size) = work.size.filter(|size| *size != self.size) {
+            self.size = size;
+            self.session.resize(size)?;
+            self.moved = None;
+        }
         if let Some((look, number, seq)) = work.camera {
+            self.begin_to_move()?;
             self.seq = self.seq.max(seq);
             self.camera = Arc::new(camera_text(&look, number));
+            if look.near != self.look.near {
+                self.session.cut(look.near)?;
+            }
             self.session.edit(&Edit::View { camera: Some(look.camera()) })?;
             self.look = Arc::new(look);
-            self.moved = Some(Instant::now());
-            self.draw_in(self.small())?;
-        } else if resized {
-            self.draw_in(self.size)?;
+        }
+        if let Some(meters) = work.meters {
+            let settings =
+                Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() };
+            self.session.measure(&meters, &settings)?;
         }
         self.session.forget();
         if let Some((desk, name)) = work.save {
@@ -354,34 +412,39 @@ impl Stage {
         Ok(())
     }
 
-    /// As large as a picture can be that is drawn quickly.
-    fn small(&self) -> [u32; 2] {
+    /// Something moves: there is to be a sketch, as large as can be drawn quickly. While it moves it keeps its size.
+    fn begin_to_move(&mut self) -> Result<()> {
+        let rested = self.moved.is_none_or(|at| at.elapsed() > REST);
+        self.moved = Some(Instant::now());
         let pixels = (self.size[0] * self.size[1]) as f32;
-        let edge = (QUICK / (self.pixel * pixels).max(1e-6)).sqrt().clamp(SMALLEST, 1.0);
-        // Few sizes, so that pictures do not jump.
-        let edge = if edge >= 1.0 { 1.0 } else { (edge * 8.0).floor() / 8.0 };
-        self.size.map(|n| ((n as f32 * edge.max(SMALLEST)) as u32).max(crate::wire::LEAST))
-    }
-
-    fn draw_in(&mut self, size: [u32; 2]) -> Result<()> {
-        if size != self.drawn {
-            self.drawn = size;
-            self.session.resize(size)?;
+        let fits = |edge: &&f32| self.pixel * pixels * **edge * **edge < QUICK;
+        let edge = EDGES.iter().find(fits).unwrap_or(&EDGES[EDGES.len() - 1]);
+        // The first sketch of all tells how quick this machine is.
+        let edge = if self.pixel == 0.0 { EDGES[2] } else { *edge };
+        let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
+        if rested && sketch != self.sketch {
+            self.sketch = sketch;
+            self.session.sketch(Some((sketch, sketchy())))?;
         }
         Ok(())
     }
 
-    fn show(&mut self, moving: bool, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
-        let size = self.drawn;
-        let frame = self.session.frame()?;
+    /// Hands what was drawn to the screen, and tells how far it is.
+    fn show(&mut self, turn: Turn, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
+        let sketched = turn == Turn::Sketch;
+        let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
+        let frame = match self.session.sketched().filter(|_| sketched) {
+            Some(frame) => frame,
+            None => self.session.frame()?,
+        };
         let batches = frame.batches();
-        let done = batches >= ENOUGH;
+        let done = !sketched && batches >= enough;
         // A picture that hardly changes is not sent for each batch.
-        if batches > 8 && !done && self.shown.elapsed() < Duration::from_millis(400) {
+        if batches > 8 && !done && self.shown.elapsed() < SELDOM {
             return Ok(());
         }
         let error = frame.relative_error() * frame.student_factor();
-        let kind = match (moving || size != self.size, done) {
+        let kind = match (sketched, done) {
             (true, _) => Kind::Moving,
             (_, true) => Kind::Final,
             _ => Kind::Settled,
@@ -417,8 +480,9 @@ impl Stage {
     fn find(&self, asked: &Asked) -> Option<Found> {
         let world = self.session.world().ok()?;
         let [width, height] = asked.frame.size;
-        let view = View::new(&asked.frame.look.camera(), width, height);
-        let ray = view.ray(asked.at[0], asked.at[1]);
+        let view = View::new(&asked.frame.look.camera(), width, height).cut(asked.frame.look.near);
+        let mut ray = view.ray(asked.at[0], asked.at[1]);
+        ray.origin += ray.direction * view.skipped(ray.direction);
         let surface = world.closest(&ray)?;
         Some(Found {
             point: surface.position,
@@ -428,4 +492,14 @@ impl Stage {
             emitter: world.emitter_of(&surface),
         })
     }
+}
+
+/// What meters read [lx], with 95 % errors.
+fn read(frame: &Sums) -> Vec<Estimate> {
+    let factor = frame.student_factor() * PI;
+    let reading = |(pixel, mean): (usize, &Rgb)| {
+        let error = factor * frame.standard_error(pixel);
+        Estimate { value: f64::from(mean.luminance() * PI), error: error.is_finite().then_some(error.into()) }
+    };
+    frame.mean().iter().enumerate().map(reading).collect()
 }

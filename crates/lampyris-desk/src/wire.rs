@@ -14,6 +14,9 @@ pub(crate) const PROTOCOL: u32 = 1;
 /// Longest name or label that is taken [bytes].
 pub(crate) const NAME: usize = 200;
 
+/// From how many times its height an orthographic view is seen: lines that are parallel meet 1 % later than never.
+const AWAY: f32 = 100.0;
+
 /// Sizes of pictures that are made [pixels].
 pub(crate) const LEAST: u32 = 16;
 pub(crate) const MOST: u32 = 4096;
@@ -186,6 +189,15 @@ impl Look {
     /// The camera that the library knows.
     pub(crate) fn camera(&self) -> Camera {
         Camera { name: String::new(), eye: self.eye, target: self.target, up: self.up, fov_y: self.fov }
+    }
+
+    /// The same, seen from so far away that it is nearly orthographic, if it is to be that: [`AWAY`] times its height.
+    pub(crate) fn in_perspective(self) -> Look {
+        let Some(height) = self.height else { return self };
+        let away = (self.target - self.eye).normalize_or_zero() * (AWAY * height);
+        let fov = 2.0 * libm::atanf(0.5 / AWAY).to_degrees();
+        let near = self.near + AWAY * height;
+        Look { eye: self.eye - away, fov, near, height: None, ..self }
     }
 
     pub(crate) fn check(&self) -> Result<(), String> {

@@ -259,6 +259,7 @@ pub mod import;
 pub mod integrator;
 pub mod light;
 pub mod material;
+pub mod measuring;
 #[cfg(feature = "pictures")]
 pub mod output;
 pub mod particle;

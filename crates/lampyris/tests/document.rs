@@ -252,9 +252,7 @@ fn what_cannot_be_is_refused_in_words() {
         (with(&format!("\"desk\": {nested}")), "recursion limit"),
         (deep, "no document"),
         (
-            format!(
-                "{{\"lampyris\": 1, \"scene\": {{\"file\": \"a\", \"environment\": {{\"file\": \"b\", \"scale\": 0}}}}}}"
-            ),
+"{\"lampyris\": 1, \"scene\": {\"file\": \"a\", \"environment\": {\"file\": \"b\", \"scale\": 0}}}".into(),
             "above 0",
         ),
     ];

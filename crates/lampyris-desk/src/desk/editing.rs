@@ -176,6 +176,9 @@ impl Desk {
                 self.studio.edit(edits, seq);
                 self.unsaved.get_or_insert_with(Instant::now);
                 self.screen.mix(self.colors(), seconds);
+                if !touched.meters.is_empty() || !touched.grids.is_empty() {
+                    self.lay_out();
+                }
                 let Some(scene) = &self.scene else { return Ok((inverse, traced)) };
                 let patch = state::of(&self.model, scene, &touched);
                 self.hub.tell_all(&json!({"is": "patch", "seq": seq, "patch": patch}));

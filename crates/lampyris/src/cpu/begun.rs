@@ -4,7 +4,7 @@
 //! An edit that changes the light of a group empties its layer, and what was begun for it is forgotten. The light of the
 //! others takes the same paths as before, so that they have the same bits in the end as if nothing had happened.
 
-use super::Job;
+use super::film::Film;
 use crate::filter::Seen;
 use crate::frame::Auxiliary;
 use crate::settings::Batch;
@@ -20,16 +20,16 @@ pub(super) struct Begun {
     pub(super) groups: Vec<usize>,
     /// Bands of tiles that are done.
     pub(super) bands: usize,
-    /// Rows of pixels that they hold.
-    pub(super) rows: u32,
+    /// Pixels up to the last of them.
+    pub(super) pixels: usize,
     /// What neighbours of the next band see, if it is filtered.
     pub(super) seen: Option<Seen>,
 }
 
-impl Job {
+impl Film {
     /// A batch for the groups that have the fewest: what is left of one that was given up, or a new one.
     pub(super) fn begin(&mut self, batch: Batch, kept: bool) -> Begun {
-        let Job { begun, frame, .. } = self;
+        let Film { begun, frame, .. } = self;
         begun.iter_mut().for_each(|begun| begun.keep(|group| frame.is_torn(group)));
         begun.retain(|begun| !begun.groups.is_empty());
         loop {
@@ -42,7 +42,7 @@ impl Job {
                 let new = |sums: &Auxiliary| sums.samples == samples;
                 let note = kept && frame.auxiliary().is_some_and(new);
                 let seen = self.settings.filter.then(|| Seen::new(self.eye.size(), groups.len()));
-                return Begun { batch, kept, note, groups, bands: 0, rows: 0, seen };
+                return Begun { batch, kept, note, groups, bands: 0, pixels: 0, seen };
             };
             let begun = begun.swap_remove(at);
             if begun.batch == batch && begun.kept == kept {
@@ -55,9 +55,8 @@ impl Job {
     /// Keeps what was done of a batch.
     pub(super) fn give_up(&mut self, begun: Begun) {
         let (width, _) = self.eye.size();
-        let pixels = |rows: u32| rows as usize * width as usize;
-        let shown = begun.seen.as_ref().map_or(0, |seen| pixels(seen.done()));
-        let added = if begun.kept { pixels(begun.rows) } else { 0 };
+        let shown = begun.seen.as_ref().map_or(0, |seen| seen.done() as usize * width as usize);
+        let added = if begun.kept { begun.pixels } else { 0 };
         self.frame.tear(&begun.groups, [added, shown]);
         if begun.note && begun.bands > 0 {
             // Who asks what the eye meets first waits for whole batches.
@@ -70,7 +69,7 @@ impl Job {
 
     /// Forgets what was begun for groups that have `batches` or more: their layers begin anew.
     pub(super) fn forget_begun(&mut self, batches: u32) {
-        let Job { begun, frame, .. } = self;
+        let Film { begun, frame, .. } = self;
         let due = |begun: &mut Begun| begun.groups.iter().any(|group| frame.batches_of(*group) >= batches);
         let forgotten: Vec<usize> = begun.extract_if(.., due).flat_map(|begun| begun.groups).collect();
         for group in forgotten {

@@ -7,6 +7,7 @@ mod despeckle;
 mod encode;
 mod exposure;
 mod exr;
+pub mod false_color;
 mod hdr;
 mod picture;
 mod png;

@@ -1,0 +1,51 @@
+//! Illuminance of what a camera sees. A picture holds what surfaces send to the eye and not what they receive, so there are
+//! two ways, and both leave out what has no answer: mirrors, clear glass and the void.
+//!
+//! A meter on the surface behind each pixel ([`receivers`]) reads it exactly, on surfaces of any kind, and takes a picture of
+//! its own. Or what is seen is divided by what the surface reflects ([`illuminance`]), which takes nothing. That is exact on
+//! matt surfaces ([`matt`]) only: a gloss shows the lamp that it mirrors, as if the floor were brighter there.
+
+use crate::color::Rgb;
+use crate::eye::Meter;
+use crate::material::{Class, Material};
+use crate::scene::{Scene, View};
+use crate::world::World;
+use std::f32::consts::PI;
+
+/// Least reflectance by which anything is divided: beneath it noise is all that is left.
+const LEAST: f32 = 0.01;
+
+/// The meters that lie on what is seen in the middle of each pixel, row by row, on the side of the eye; `None` where
+/// nothing is, and on what has no dull lobes.
+pub fn receivers(world: &World, view: &View) -> Vec<Option<Meter>> {
+    let pixels = (0..view.height).flat_map(|y| (0..view.width).map(move |x| (x, y)));
+    let meter = |(x, y): (u32, u32)| {
+        let surface = world.closest(&view.ray(x as f32 + 0.5, y as f32 + 0.5))?;
+        let dull = !surface.albedo(Class::Dull).is_black();
+        dull.then(|| Meter { position: surface.spawn(surface.normal), normal: surface.normal })
+    };
+    pixels.map(meter).collect()
+}
+
+/// E = π L/ρ in each channel, and of these the luminance [lx]: what a matt surface receives that sends out `radiance` [cd/m²]
+/// and reflects `albedo`; `None` where a channel is hardly reflected.
+pub fn illuminance(radiance: Rgb, albedo: Rgb) -> Option<f32> {
+    let received = Rgb::new(radiance.r / albedo.r, radiance.g / albedo.g, radiance.b / albedo.b) * PI;
+    let reflected = albedo.to_array().iter().all(|c| *c >= LEAST);
+    Some(received.luminance()).filter(|lux| reflected && lux.is_finite())
+}
+
+/// Of each instance whether all of its surfaces reflect as Lambert says and do nothing else: what is seen of them tells what
+/// they receive.
+pub fn matt(scene: &Scene) -> Vec<bool> {
+    let plain = |m: &Material| {
+        let base = m.bsdf.lambertian().is_some_and(|c| !c.is_black());
+        // Along the normal a gloss is weakest, and its albedo exactly black only where there is none.
+        let sharp = !m.bsdf.albedo(Class::Sharp, glam::Vec3::Z).is_black();
+        base && !sharp && !m.bsdf.transmits() && m.emission.is_black()
+    };
+    let plain: Vec<bool> = scene.materials.iter().map(plain).collect();
+    let all = |worn: &[u32]| worn.iter().all(|m| plain.get(*m as usize) == Some(&true));
+    let meshes: Vec<bool> = scene.meshes.iter().map(|mesh| all(&mesh.materials)).collect();
+    scene.instances.iter().map(|i| meshes.get(i.mesh as usize) == Some(&true)).collect()
+}
