@@ -1,7 +1,7 @@
 // What the second file takes from the first, name by name.
 
 export { computed, effect, signal } from '@preact/signals';
-export { useEffect, useRef } from 'preact/hooks';
+export { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 export { Fragment, jsx, jsxs } from 'preact/jsx-runtime';
 export {
     act, allActions, command, copyText, each, exposeBy, falseColor, register, sheet, storeLook, storeView,

@@ -64,7 +64,7 @@ for (const [name, how, words] of STATES) {
         for (const theme of ['dark', 'light']) {
             for (const [width, height] of SIZES) {
                 const { page, complaints } = await openPage(browser, { width, height, theme });
-                const builds = how.builds ?? [];
+                const builds = [...(how.builds ?? [])];
                 const spoken = await speakFor(page, how.told === undefined ? state() : how.told && structuredClone(how.told), { role: how.role, build: () => (builds.length > 1 ? builds.shift() : builds[0] ?? 'b'), more: how.more });
                 await page.goto(server.link);
                 if (how.told !== null) await page.waitForFunction(() => window.__desk?.frame > 0 && document.querySelector('.view-strip'));
