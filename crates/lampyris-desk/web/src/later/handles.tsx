@@ -1,10 +1,11 @@
 // What the handles hold: the lamps selected that have a place, or things that are not locked; the last under the hand.
 
 import {
-    add, chosenLamps, computed, editor, effect, fitted, Gesture, handles, lamps, lookOnly, middle, nameOf, normal, pinhole, placed,
-    positionOf, positions, role, selection, shown, sub, things, titleOf, tool, turn, useEffect, useRef, viewSize,
+    add, chosenLamps, computed, editor, effect, fitted, Gesture, handles, lamps, lookOnly, middle, nameOf, normal,
+    pinhole, positionOf, role, selection, shown, sub, things, titleOf, tool, turn, useEffect, useRef, viewSize,
     type Id, type Lamp, type Place, type Vec,
 } from '../desk';
+import { placed, positions } from './tools';
 import { mount, type Host, type Target } from './gizmo';
 
 type Quaternion = [number, number, number, number];

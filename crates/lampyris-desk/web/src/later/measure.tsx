@@ -1,8 +1,9 @@
 // Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
 
 import {
-    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, spacing, type Grid, type Meter,
+    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
 } from '../desk';
+import { spacing } from './tools';
 import { changed, Line, Name, Section, Triple } from './parts';
 
 const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['cylindrical', 'cylindrical'], ['camera', 'toward the camera']];
