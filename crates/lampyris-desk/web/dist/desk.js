@@ -1,96 +1,96 @@
 // node_modules/preact/dist/preact.mjs
-var C, zr, Vo, We, Po, Vn, Gr, Pn, Xr, Io, Lo, as, Yt = /* @__PURE__ */ Symbol.for("pv"), In = {}, An = [], ss = /^m(i|n|o|s|text|space)$/, Ao = Array.isArray, Ro = An.slice, ot = Object.assign;
-function nt(e) {
+var M, Br, ko, qe, yo, En, zr, Mn, Gr, xo, wo, es, zt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, Pn = [], ts = /^m(i|n|o|s|text|space)$/, So = Array.isArray, Mo = Pn.slice, tt = Object.assign;
+function et(e) {
   e && e.parentNode && e.remove();
 }
-function Yr(e, t, n) {
-  var o, r, i, a = {}, l = arguments.length;
+function Xr(e, t, n) {
+  var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return l > 2 && (a.children = l > 3 ? Ro.call(arguments, 2) : n), Xt(e, a, o, r, null);
+  return s > 2 && (a.children = s > 3 ? Mo.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
-function Xt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Yt, __v: r || ++zr, __i: -1, __u: 0 };
-  return !r && C.vnode && C.vnode(i), i;
+function Bt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Br, __i: -1, __u: 0 };
+  return !r && M.vnode && M.vnode(i), i;
 }
 function X(e) {
   return e.children;
 }
-function wt(e, t) {
+function gt(e, t) {
   this.props = e, this.context = t, this.__g = 0;
 }
-function Be(e, t) {
-  if (t == null) return e.__ && Be(e.__, e.__i + 1);
+function je(e, t) {
+  if (t == null) return e.__ && je(e.__, e.__i + 1);
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
-  return typeof e.type != "function" || e.props.__P ? null : Be(e);
+  return typeof e.type != "function" || e.props.__P ? null : je(e);
 }
-function ls(e) {
+function ns(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = ot({ constructor: Yt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Ho(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Be(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
+  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, M.vnode && M.vnode(t), Co(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || je(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ti(r, t, i), n.__ = n.__e = null, t.__e != o && Yr(t));
 }
-function Qr(e) {
+function Yr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), Qr(e);
+  }), Yr(e);
 }
-function Wr(e) {
-  (8 & e.__g || (e.__g |= 8, We.push(e), Vn++)) && Po == C.debounceRendering || ((Po = C.debounceRendering) || queueMicrotask)(Jr);
+function Ur(e) {
+  (8 & e.__g || (e.__g |= 8, qe.push(e), En++)) && yo == M.debounceRendering || ((yo = M.debounceRendering) || queueMicrotask)(Qr);
 }
-function Jr() {
+function Qr() {
   try {
-    for (var e, t = 1; We.length; ) We.length > t && We.sort(Gr), e = We.shift(), t = We.length, 8 & e.__g && ls(e);
+    for (var e, t = 1; qe.length; ) qe.length > t && qe.sort(zr), e = qe.shift(), t = qe.length, 8 & e.__g && ns(e);
   } finally {
-    (Vn = We.length) && (Po || queueMicrotask)(Jr);
+    (En = qe.length) && (yo || queueMicrotask)(Qr);
   }
 }
-function Zr(e, t, n, o, r, i, a, l, d, u, c) {
-  var p, m, f, _, k, S, y = o.__k || An, b = t.length;
-  for (d = us(n, t, y, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && y[f.__i] || In, f.__i = p, S = Ho(e, f, m, r, i, a, l, d, u, c), _ = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Oo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || _, f)), k = k || _, 4 & f.__u ? (d = ei(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? d = S : _ && (d = _.nextSibling), f.__u &= -21);
-  return n.__e = k, d;
+function Jr(e, t, n, o, r, i, a, s, d, c, u) {
+  var p, m, f, y, w, x, _ = o.__k || Pn, b = t.length;
+  for (d = os(n, t, _, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && _[f.__i] || Tn, f.__i = p, x = Co(e, f, m, r, i, a, s, d, c, u), y = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Eo(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || y, f)), w = w || y, 4 & f.__u ? (d = Zr(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? d = x : y && (d = y.nextSibling), f.__u &= -21);
+  return n.__e = w, d;
 }
-function us(e, t, n, o, r) {
-  var i, a, l, d, u, c, p, m, f, _ = n.length, k = _, S = 0, y = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Xt(null, a) : Ao(a) ? a = b[i] = Xt(X, { children: a }) : a.constructor === Yt && a.__b ? a = b[i] = Xt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + S, a.__ = e, a.__b = e.__b + 1, l = null, ~(u = a.__i = cs(a, n, d, k)) && (k--, (l = n[u]) && (l.__u |= 2)), l && l.__v ? (a.__u |= 16, u == d - 1 ? S-- : u == d + 1 ? S++ : u != d && (u > d ? S-- : S++, y = 1)) : (~u || (r > _ ? S-- : r < _ && S++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
-  if (y) {
-    for (c = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
-      for (S = 0, m = c.length; S < m; ) c[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
-      c[S] = a.__i, p[i] = S + 1;
+function os(e, t, n, o, r) {
+  var i, a, s, d, c, u, p, m, f, y = n.length, w = y, x = 0, _ = 0, b = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Bt(null, a) : So(a) ? a = b[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = b[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = rs(a, n, d, w)) && (w--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == d - 1 ? x-- : c == d + 1 ? x++ : c != d && (c > d ? x-- : x++, _ = 1)) : (~c || (r > y ? x-- : r < y && x++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+  if (_) {
+    for (u = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
+      for (x = 0, m = u.length; x < m; ) u[f = x + m >> 1] < a.__i ? x = f + 1 : m = f;
+      u[x] = a.__i, p[i] = x + 1;
     }
-    for (S = c.length; i--; ) p[i] && (p[i] == S ? S-- : b[i].__u |= 4);
+    for (x = u.length; i--; ) p[i] && (p[i] == x ? x-- : b[i].__u |= 4);
   }
-  if (k) for (i = 0; i < _; i++) !(l = n[i]) || 2 & l.__u || (l.__e == o && (o = Be(l)), Ko(l, l));
+  if (w) for (i = 0; i < y; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = je(s)), To(s, s));
   return o;
 }
-function ei(e, t, n, o) {
-  var r, i, a, l;
+function Zr(e, t, n, o) {
+  var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ei(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Zr(r[i], t, n, !1));
     return t;
   }
-  for (t && !t.parentNode && (t = Be(e)) && !t.parentNode && (t = null), a = e.__e, l = t; l && l.nodeType == 8; ) l = l.nextSibling;
-  for (a != l && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
+  for (t && !t.parentNode && (t = je(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
+  for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function cs(e, t, n, o) {
-  var r, i = e.key, a = e.type, l = t[n], d = l && !(2 & l.__u);
-  if (l === null && i == null || d && i == l.key && a == l.type) return n;
+function rs(e, t, n, o) {
+  var r, i = e.key, a = e.type, s = t[n], d = s && !(2 & s.__u);
+  if (s === null && i == null || d && i == s.key && a == s.type) return n;
   if (o > (d ? 1 : 0)) {
-    for (r = n - 1; r >= 0; r--) if ((l = t[r]) && !(2 & l.__u) && i == l.key && a == l.type) return r;
-    for (r = n + 1; r < t.length; r++) if ((l = t[r]) && !(2 & l.__u) && i == l.key && a == l.type) return r;
+    for (r = n - 1; r >= 0; r--) if ((s = t[r]) && !(2 & s.__u) && i == s.key && a == s.type) return r;
+    for (r = n + 1; r < t.length; r++) if ((s = t[r]) && !(2 & s.__u) && i == s.key && a == s.type) return r;
   }
   return -1;
 }
-function Br(e, t, n) {
+function Wr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
-function $n(e, t, n, o, r) {
+function Sn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Br(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Br(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Wr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Wr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Lo[t] || (Lo[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Io, i = t != (t = t.replace(Xr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = wo[t] || (wo[t] = is(t)), (e.__a || (e.__a = {}))[t] = xo, i = t != (t = t.replace(Gr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,65 +101,65 @@ function $n(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function fs(e) {
+function is(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[Pn] == null) t[Pn] = Io++;
-      else if (t[Pn] < this.__a[e]) return;
-      return n(C.event ? C.event(t) : t);
+      if (n = n[e], t[Mn] == null) t[Mn] = xo++;
+      else if (t[Mn] < this.__a[e]) return;
+      return n(M.event ? M.event(t) : t);
     }
   };
 }
-function Ho(e, t, n, o, r, i, a, l, d, u) {
-  var c, p, m, f, _, k, S, y, b, R, V, je, Ue, Se, ge, h, v, $, P = t.type;
-  if (t.constructor !== Yt) return null;
-  128 & n.__u && (d = 32 & n.__u, c = n.__c.__z) && (t.__u |= d, p = i = [], c.nodeType == 8 ? l = Ln(c, i) : i.push(c), l = i[0] || l), (c = C.__b) && c(t);
+function Co(e, t, n, o, r, i, a, s, d, c) {
+  var u, p, m, f, y, w, x, _, b, A, L, Fe, Ne, ye, me, h, v, T, P = t.type;
+  if (t.constructor !== zt) return null;
+  128 & n.__u && (d = 32 & n.__u, u = n.__c.__z) && (t.__u |= d, p = i = [], u.nodeType == 8 ? s = Cn(u, i) : i.push(u), s = i[0] || s), (u = M.__b) && u(t);
   e: if (typeof P == "function") {
     m = a.length;
     try {
-      if (y = t.props, b = (c = P.prototype) && c.render, R = (c = P.contextType) && o[c.__c], V = c ? R ? R.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(y, V) : (t.__c = f = new wt(y, V), f.constructor = P, f.render = ds), R && R.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = ot({}, f.__s)), ot(f.__s, P.getDerivedStateFromProps(y, f.__s)))), _ = f.props, k = f.state, f.__v = t, n.__c) {
-        if (y !== _ && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(y, V), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(y, f.__s, V) === !1) {
-          t.__v != n.__v && (f.props = y, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(L) {
-            L && (L.__ = t);
-          }), An.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), l = Be(n);
+      if (_ = t.props, b = (u = P.prototype) && u.render, A = (u = P.contextType) && o[u.__c], L = u ? A ? A.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(_, L) : (t.__c = f = new gt(_, L), f.constructor = P, f.render = ss), A && A.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, P.getDerivedStateFromProps(_, f.__s)))), y = f.props, w = f.state, f.__v = t, n.__c) {
+        if (_ !== y && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(_, L), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(_, f.__s, L) === !1) {
+          t.__v != n.__v && (f.props = _, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function($) {
+            $ && ($.__ = t);
+          }), Pn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = je(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(y, f.__s, V), b && f.componentDidUpdate && f.__h.push(function() {
-          f.componentDidUpdate(_, k, S);
+        f.componentWillUpdate && f.componentWillUpdate(_, f.__s, L), b && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(y, w, x);
         });
       } else b && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), b && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = V, f.props = y, f.__P = e, f.__g &= -5, je = C.__r, Ue = b ? 25 : 0;
+      f.context = L, f.props = _, f.__P = e, f.__g &= -5, Fe = M.__r, Ne = b ? 25 : 0;
       do
-        f.__g &= -9, je && je(t), c = f.render(f.props, f.state = f.__s, f.context);
-      while (8 & f.__g && ++Ue < 25);
-      b && (An.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = ot({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(_, k)), Se = c && c.type === X && c.key == null ? c.props.children : c, y.__P && (c = l, r = (e = y.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
-        L && Ko(L, L);
-      }), n.__k = null), l = n.__k ? Be(n, 0) : null), l = Zr(e, Ao(Se) ? Se : [Se], t, n, o, r, i, a, l, d, u), y.__P && (t.__e = null, l = c), t.__u &= -161, p && p.some(nt), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch (L) {
-      if (a.length = m, t.__v = null, d || i) if (L && L.then) {
+        f.__g &= -9, Fe && Fe(t), u = f.render(f.props, f.state = f.__s, f.context);
+      while (8 & f.__g && ++Ne < 25);
+      b && (Pn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (x = f.getSnapshotBeforeUpdate(y, w)), ye = u && u.type === X && u.key == null ? u.props.children : u, _.__P && (u = s, r = (e = _.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function($) {
+        $ && To($, $);
+      }), n.__k = null), s = n.__k ? je(n, 0) : null), s = Jr(e, So(ye) ? ye : [ye], t, n, o, r, i, a, s, d, c), _.__P && (t.__e = null, s = u), t.__u &= -161, p && p.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch ($) {
+      if (a.length = m, t.__v = null, d || i) if ($ && $.then) {
         if (t.__u |= 128 | d, i) {
-          for (~(v = i.indexOf(l || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ge) {
-            if ($ == h) break;
+          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (T = i[v - 1]) && T.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if (T = i[v]) if (i[v] = null, me) {
+            if (T == h) break;
           } else {
-            if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = Ln(ge = $));
+            if (T.nodeType != 8) break;
+            T.data.startsWith("$s") && (h = Cn(me = T));
           }
         }
-        if (!ge) {
-          for (; l && l.nodeType == 8 && l.nextSibling; ) l = l.nextSibling;
-          ge = l;
+        if (!me) {
+          for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
+          me = s;
         }
-        (c = Ln(ge = t.__c.__z || (t.__c.__z = ge))) ? (t.__e = ge, l = c) : t.__e = l, l = l && l.nextSibling;
-      } else i && i.some(nt);
+        (u = Cn(me = t.__c.__z || (t.__c.__z = me))) ? (t.__e = me, s = u) : t.__e = s, s = s && s.nextSibling;
+      } else i && i.some(et);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), L && L.then || ti(t), C.__e(L, t, n);
+      t.__k || (t.__k = n.__k || []), $ && $.then || ei(t), M.__e($, t, n);
     }
-  } else l = t.__e = ps(n.__e, t, n, o, r, i, a, d, u, e);
-  return (c = C.diffed) && c(t), l;
+  } else s = t.__e = as(n.__e, t, n, o, r, i, a, d, c, e);
+  return (u = M.diffed) && u(t), s;
 }
-function Ln(e, t) {
+function Cn(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
     if (e.nodeType == 8) {
       if (e.data.startsWith("$s")) n++;
@@ -168,157 +168,161 @@ function Ln(e, t) {
     t && t.push(e);
   }
 }
-function ti(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ti));
+function ei(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ei));
 }
-function ni(e, t, n) {
-  for (var o = 0; o < n.length; ) Oo(n[o++], n[o++], n[o++]);
-  C.__c && C.__c(t, e), e.some(function(r) {
+function ti(e, t, n) {
+  for (var o = 0; o < n.length; ) Eo(n[o++], n[o++], n[o++]);
+  M.__c && M.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
         i.call(r);
       });
     } catch (i) {
-      C.__e(i, r.__v);
+      M.__e(i, r.__v);
     }
   });
 }
-function ps(e, t, n, o, r, i, a, l, d, u) {
-  var c, p, m, f, _, k, S, y, b = n.props || In, R = t.props, V = t.type;
-  if (V == "svg" ? r = "http://www.w3.org/2000/svg" : V == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (c = 0; c < i.length; c++) if ((_ = i[c]) && (V ? _.localName == V : _.nodeType == 3)) {
-      e = _, i[c] = null;
+function as(e, t, n, o, r, i, a, s, d, c) {
+  var u, p, m, f, y, w, x, _, b = n.props || Tn, A = t.props, L = t.type;
+  if (L == "svg" ? r = "http://www.w3.org/2000/svg" : L == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (u = 0; u < i.length; u++) if ((y = i[u]) && (L ? y.localName == L : y.nodeType == 3)) {
+      e = y, i[u] = null;
       break;
     }
   }
   if (!e) {
-    if (y = u.ownerDocument || document, !V) return y.createTextNode(R);
-    e = y.createElementNS(r, V, R.is ? R : u), l && (C.__m && C.__m(t, i), l = !1), i = null;
+    if (_ = c.ownerDocument || document, !L) return _.createTextNode(A);
+    e = _.createElementNS(r, L, A.is ? A : c), s && (M.__m && M.__m(t, i), s = !1), i = null;
   }
-  if (V) {
-    if (u = V == "template" && e.content || e, i = V == "textarea" && R.defaultValue != null ? null : i && Ro.call(u.childNodes), !l && i) for (b = {}, c = 0; c < e.attributes.length; c++) b[(_ = e.attributes[c]).name] = _.value;
-    for (c in b) _ = b[c], c == "dangerouslySetInnerHTML" ? m = _ : c == "children" || c in R || c == "value" && "defaultValue" in R || c == "checked" && "defaultChecked" in R || $n(e, c, null, _, r);
-    for (c in R) _ = R[c], c == "children" ? f = _ : c == "dangerouslySetInnerHTML" ? p = _ : c == "value" ? k = _ : c == "checked" ? S = _ : l && typeof _ != "function" || b[c] === _ || $n(e, c, _, b[c], r);
-    p ? (l || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Zr(u, Ao(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Be(n, 0), l, d), i && i.some(nt)), l && V != "textarea" || (c = "value", V == "progress" && k == null ? e.removeAttribute(c) : k == null || k === e[c] && (V != "progress" || k) || $n(e, c, k, b[c], r), c = "checked", S != null && S != e[c] && $n(e, c, S, b[c], r));
-  } else b === R || l && e.data == R || (e.data = R);
+  if (L) {
+    if (c = L == "template" && e.content || e, i = L == "textarea" && A.defaultValue != null ? null : i && Mo.call(c.childNodes), !s && i) for (b = {}, u = 0; u < e.attributes.length; u++) b[(y = e.attributes[u]).name] = y.value;
+    for (u in b) y = b[u], u == "dangerouslySetInnerHTML" ? m = y : u == "children" || u in A || u == "value" && "defaultValue" in A || u == "checked" && "defaultChecked" in A || Sn(e, u, null, y, r);
+    for (u in A) y = A[u], u == "children" ? f = y : u == "dangerouslySetInnerHTML" ? p = y : u == "value" ? w = y : u == "checked" ? x = y : s && typeof y != "function" || b[u] === y || Sn(e, u, y, b[u], r);
+    p ? (s || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (L == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ts.test(L)) && (r = "http://www.w3.org/1999/xhtml"), Jr(c, So(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && je(n, 0), s, d), i && i.some(et)), s && L != "textarea" || (u = "value", L == "progress" && w == null ? e.removeAttribute(u) : w == null || w === e[u] && (L != "progress" || w) || Sn(e, u, w, b[u], r), u = "checked", x != null && x != e[u] && Sn(e, u, x, b[u], r));
+  } else b === A || s && e.data == A || (e.data = A);
   return e;
 }
-function Oo(e, t, n, o) {
+function Eo(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
-    C.__e(r, n);
+    M.__e(r, n);
   }
 }
-function Ko(e, t, n) {
+function To(e, t, n) {
   var o, r, i, a;
-  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Oo(o, null, t, e), o = e.__c) {
+  if (M.unmount && M.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Eo(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
-    } catch (l) {
-      C.__e(l, t);
+    } catch (s) {
+      M.__e(s, t);
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Ko(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = Ln(o, i = [])) && (o == e.__e && i.some(nt), nt(r), nt(o)), n || nt(e.__e), e.__e = e.__c = e.__ = null;
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && To(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = Cn(o, i = [])) && (o == e.__e && i.some(et), et(r), et(o)), n || et(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ds(e, t, n) {
+function ss(e, t, n) {
   return this.constructor(e, n);
 }
-function oi(e, t) {
+function ni(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Xt(X, { children: [e] }), r = [], i = [], Ho(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Ro.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
+  M.__ && M.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Co(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Mo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ti(r, t.__k, i), t.__k.props.children = null;
 }
-C = { __e: function(e, t, n, o) {
+M = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
     r.__g |= 4;
     try {
       if ((a = (i = r.constructor) && i.getDerivedStateFromError) && r.setState(i.getDerivedStateFromError(e)), r.componentDidCatch && (r.componentDidCatch(e, o || {}), a = 1), a && 8 & r.__g) return void (r.__g |= 2);
-    } catch (l) {
-      e = l;
+    } catch (s) {
+      e = s;
     }
   }
-  throw Vn = 0, e;
-} }, zr = 0, Vo = function(e) {
-  return e != null && e.constructor === Yt;
-}, wt.prototype.setState = function(e, t) {
+  throw En = 0, e;
+} }, Br = 0, ko = function(e) {
+  return e != null && e.constructor === zt;
+}, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = ot({}, this.state)), typeof e == "function" && (e = e(ot({}, n), this.props)), e && (ot(n, e), this.__v && (t && this.__k.push(t), Wr(this)));
-}, wt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Wr(this));
-}, wt.prototype.render = X, We = [], Vn = 0, Gr = function(e, t) {
+  n && n != this.state || (n = this.__s = tt({}, this.state)), typeof e == "function" && (e = e(tt({}, n), this.props)), e && (tt(n, e), this.__v && (t && this.__k.push(t), Ur(this)));
+}, gt.prototype.forceUpdate = function(e) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Ur(this));
+}, gt.prototype.render = X, qe = [], En = 0, zr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Pn = /* @__PURE__ */ Symbol(), Xr = /(PointerCapture)$|Capture$/i, Io = 0, Lo = {}, as = 0;
+}, Mn = /* @__PURE__ */ Symbol(), Gr = /(PointerCapture)$|Capture$/i, xo = 0, wo = {}, es = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Rn, ue, Do, ri, ms = Object.is, No = 0, di = [], Fo = [], z = C, ii = z.__b, ai = z.__r, si = z.diffed, li = z.__c, ui = z.unmount, ci = z.__;
-function mi(e, t) {
-  z.__h && z.__h(ue, e, No || t), No = 0;
-  var n = ue.__H || (ue.__H = { __: [], __h: [] });
+var Xt, re, Po, oi, ls = Object.is, $o = 0, pi = [], Lo = [], N = M, ri = N.__b, ii = N.__r, ai = N.diffed, si = N.__c, li = N.unmount, ui = N.__;
+function Io(e, t) {
+  N.__h && N.__h(re, e, $o || t), $o = 0;
+  var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function $e(e, t) {
-  var n = mi(Rn++, 3);
-  !z.__s && hi(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ue.__H.__h.push(n));
+function Se(e, t) {
+  var n = Io(Xt++, 3);
+  !N.__s && Ao(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function oe(e) {
-  return No = 5, Hn(function() {
+function us(e, t) {
+  var n = Io(Xt++, 4);
+  !N.__s && Ao(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+}
+function te(e) {
+  return $o = 5, $n(function() {
     return { current: e };
   }, []);
 }
-function Hn(e, t) {
-  var n = mi(Rn++, 7);
-  return hi(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+function $n(e, t) {
+  var n = Io(Xt++, 7);
+  return Ao(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function hs() {
+function cs() {
   var e;
   do {
-    for (; e = Fo.shift(); ) try {
-      Qt(e);
+    for (; e = Lo.shift(); ) try {
+      Gt(e);
     } catch (n) {
-      z.__e(n, { __: (e = e.__P) && e.__v });
+      N.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = di.shift(); ) {
+    for (; e = pi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(Qt), t.__h.some(qo), t.__h = [];
+        t.__h.some(Gt), t.__h.some(Vo), t.__h = [];
       } catch (n) {
-        t.__h = [], z.__e(n, e.__v);
+        t.__h = [], N.__e(n, e.__v);
       }
     }
-  } while (Fo.length);
+  } while (Lo.length);
 }
-z.__b = function(e) {
-  ue = null, ii && ii(e);
-}, z.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ci && ci(e, t);
-}, z.__r = function(e) {
-  ai && ai(e), Rn = 0;
-  var t = (ue = e.__c).__H;
-  t && (Do == ue ? ue.__h = [] : (t.__h.some(Qt), t.__h.some(qo), Rn = 0), t.__h = [], t.__.some(function(n) {
+N.__b = function(e) {
+  re = null, ri && ri(e);
+}, N.__ = function(e, t) {
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ui && ui(e, t);
+}, N.__r = function(e) {
+  ii && ii(e), Xt = 0;
+  var t = (re = e.__c).__H;
+  t && (Po == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Vo), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Do = ue;
-}, z.diffed = function(e) {
-  si && si(e);
+  })), Po = re;
+}, N.diffed = function(e) {
+  ai && ai(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && pi(di.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && fi(pi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Do = ue = null;
-}, z.__c = function(e, t) {
+  })), Po = re = null;
+}, N.__c = function(e, t) {
   t.some(function(n) {
     try {
-      n.__h.some(Qt), n.__h = n.__h.filter(function(o) {
-        return !o.__ || qo(o);
+      n.__h.some(Gt), n.__h = n.__h.filter(function(o) {
+        return !o.__ || Vo(o);
       });
     } catch (o) {
       n.__h = [function() {
         throw o;
       }];
     }
-  }), li && li(e, t);
-}, z.unmount = function(e) {
-  ui && ui(e);
+  }), si && si(e, t);
+}, N.unmount = function(e) {
+  li && li(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -327,56 +331,56 @@ z.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, pi(Fo.push(r));
-      } else Qt(r);
+        r.__P = n, fi(Lo.push(r));
+      } else Gt(r);
     } catch (i) {
       t = i;
     }
-  }), o.__H = void 0, t && z.__e(t, o.__v));
+  }), o.__H = void 0, t && N.__e(t, o.__v));
 };
-var fi = typeof requestAnimationFrame == "function";
-function vs(e) {
+var ci = typeof requestAnimationFrame == "function";
+function fs(e) {
   var t, n = function() {
-    clearTimeout(o), fi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), ci && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  fi && (t = requestAnimationFrame(n));
+  ci && (t = requestAnimationFrame(n));
 }
-function pi(e) {
-  e != 1 && ri == z.requestAnimationFrame || ((ri = z.requestAnimationFrame) || vs)(hs);
+function fi(e) {
+  e != 1 && oi == N.requestAnimationFrame || ((oi = N.requestAnimationFrame) || fs)(cs);
 }
-function Qt(e) {
-  var t = ue, n = e.__c;
-  typeof n == "function" && (e.__c = void 0, n()), ue = t;
+function Gt(e) {
+  var t = re, n = e.__c;
+  typeof n == "function" && (e.__c = void 0, n()), re = t;
 }
-function qo(e) {
-  var t = ue;
-  e.__c = e.__(), ue = t;
+function Vo(e) {
+  var t = re;
+  e.__c = e.__(), re = t;
 }
-function hi(e, t) {
+function Ao(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !ms(n, e[o]);
+    return !ls(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var gs = /* @__PURE__ */ Symbol.for("preact-signals");
-function Nn() {
-  if (Oe > 1)
-    Oe--;
+var ps = /* @__PURE__ */ Symbol.for("preact-signals");
+function An() {
+  if (Ae > 1)
+    Ae--;
   else {
     var e, t = !1;
     for ((function() {
-      var r = Kn;
-      for (Kn = void 0; r !== void 0; ) {
+      var r = Vn;
+      for (Vn = void 0; r !== void 0; ) {
         var i = r.S;
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
-    })(); Zt !== void 0; ) {
-      var n = Zt;
-      for (Zt = void 0, On++; n !== void 0; ) {
+    })(); Qt !== void 0; ) {
+      var n = Qt;
+      for (Qt = void 0, Ln++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && gi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && mi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -384,48 +388,48 @@ function Nn() {
         n = o;
       }
     }
-    if (On = 0, Oe--, t) throw e;
+    if (Ln = 0, Ae--, t) throw e;
   }
 }
-function Fn(e) {
-  if (Oe > 0) return e();
-  jo = ++bs, Oe++;
+function Rn(e) {
+  if (Ae > 0) return e();
+  Ro = ++ds, Ae++;
   try {
     return e();
   } finally {
-    Nn();
+    An();
   }
 }
-var Jt, N = void 0;
-function se(e) {
-  var t = N, n = Jt;
-  N = void 0, Jt = void 0;
+var Yt, H = void 0;
+function ie(e) {
+  var t = H, n = Yt;
+  H = void 0, Yt = void 0;
   try {
     return e();
   } finally {
-    N = t, Jt = n;
+    H = t, Yt = n;
   }
 }
-var Zt = void 0, Oe = 0, On = 0, bs = 0, jo = 0, Kn = void 0, Dn = 0;
-function vi(e) {
-  if (N !== void 0) {
+var Qt = void 0, Ae = 0, Ln = 0, ds = 0, Ro = 0, Vn = void 0, In = 0;
+function di(e) {
+  if (H !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== N)
-      return t = { i: 0, S: e, p: N.s, n: void 0, t: N, e: void 0, x: void 0, r: t }, N.s !== void 0 && (N.s.n = t), N.s = t, e.n = t, 32 & N.f && e.S(t), t;
+    if (t === void 0 || t.t !== H)
+      return t = { i: 0, S: e, p: H.s, n: void 0, t: H, e: void 0, x: void 0, r: t }, H.s !== void 0 && (H.s.n = t), H.s = t, e.n = t, 32 & H.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = N.s, t.n = void 0, N.s.n = t, N.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = H.s, t.n = void 0, H.s.n = t, H.s = t), t;
   }
 }
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = gs;
+Y.prototype.brand = ps;
 Y.prototype.h = function() {
   return !0;
 };
 Y.prototype.S = function(e) {
   var t = this, n = this.t;
-  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : se(function() {
+  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : ie(function() {
     var o;
     (o = t.W) == null || o.call(t);
   }));
@@ -434,7 +438,7 @@ Y.prototype.U = function(e) {
   var t = this;
   if (this.t !== void 0) {
     var n = e.e, o = e.x;
-    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && se(function() {
+    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && ie(function() {
       var r;
       (r = t.Z) == null || r.call(t);
     }));
@@ -442,9 +446,9 @@ Y.prototype.U = function(e) {
 };
 Y.prototype.subscribe = function(e) {
   var t = this;
-  return T(function() {
+  return C(function() {
     var n = t.value;
-    se(function() {
+    ie(function() {
       return e(n);
     });
   }, { name: "sub" });
@@ -460,34 +464,34 @@ Y.prototype.toJSON = function() {
 };
 Y.prototype.peek = function() {
   var e = this;
-  return se(function() {
+  return ie(function() {
     return e.value;
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = vi(this);
+  var e = di(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
-    if (On > 100) throw new Error("Cycle detected");
+    if (Ln > 100) throw new Error("Cycle detected");
     (function(n) {
-      Oe !== 0 && On === 0 && n.l !== jo && (n.l = jo, Kn = { S: n, v: n.v, i: n.i, o: Kn });
-    })(this), this.v = e, this.i++, Dn++, Oe++;
+      Ae !== 0 && Ln === 0 && n.l !== Ro && (n.l = Ro, Vn = { S: n, v: n.v, i: n.i, o: Vn });
+    })(this), this.v = e, this.i++, In++, Ae++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
-      Nn();
+      An();
     }
   }
 } });
 function g(e, t) {
   return new Y(e, t);
 }
-function gi(e) {
+function mi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function bi(e) {
+function hi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -496,92 +500,92 @@ function bi(e) {
     }
   }
 }
-function yi(e) {
+function vi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
   }
   e.s = n;
 }
-function rt(e, t) {
-  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = Dn - 1, this.f = 4;
+function nt(e, t) {
+  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = In - 1, this.f = 4;
 }
-rt.prototype = new Y();
-rt.prototype.h = function() {
+nt.prototype = new Y();
+nt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
-  if ((36 & this.f) == 32 || (this.f &= -5, this.g === Dn)) return !0;
-  if (this.g = Dn, this.f |= 1, this.i > 0 && !gi(this))
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === In)) return !0;
+  if (this.g = In, this.f |= 1, this.i > 0 && !mi(this))
     return this.f &= -2, !0;
-  var e = N;
+  var e = H;
   try {
-    bi(this), N = this;
+    hi(this), H = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return N = e, yi(this), this.f &= -2, !0;
+  return H = e, vi(this), this.f &= -2, !0;
 };
-rt.prototype.S = function(e) {
+nt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
   Y.prototype.S.call(this, e);
 };
-rt.prototype.U = function(e) {
+nt.prototype.U = function(e) {
   if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
 };
-rt.prototype.N = function() {
+nt.prototype.N = function() {
   if (!(2 & this.f)) {
     this.f |= 6;
     for (var e = this.t; e !== void 0; e = e.x) e.t.N();
   }
 };
-Object.defineProperty(rt.prototype, "value", { get: function() {
+Object.defineProperty(nt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = vi(this);
+  var e = di(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
-function G(e, t) {
-  return new rt(e, t);
+function q(e, t) {
+  return new nt(e, t);
 }
-function _i(e) {
+function gi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Oe++;
-    var n = N;
-    N = void 0;
+    Ae++;
+    var n = H;
+    H = void 0;
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, Uo(e), o;
+      throw e.f &= -2, e.f |= 8, Ho(e), o;
     } finally {
-      N = n, Nn();
+      H = n, An();
     }
   }
 }
-function Uo(e) {
+function Ho(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, _i(e);
+  e.x = void 0, e.s = void 0, gi(e);
 }
-function ys(e) {
-  if (N !== this) throw new Error("Out-of-order effect");
-  yi(this), N = e, this.f &= -2;
+function ms(e) {
+  if (H !== this) throw new Error("Out-of-order effect");
+  vi(this), H = e, this.f &= -2;
   try {
-    8 & this.f && Uo(this);
+    8 & this.f && Ho(this);
   } finally {
-    Nn();
+    An();
   }
 }
-function kt(e, t) {
-  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Jt && Jt.push(this);
+function bt(e, t) {
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Yt && Yt.push(this);
 }
-kt.prototype.c = function() {
+bt.prototype.c = function() {
   var e = this.S();
   try {
     if (8 & this.f || this.x === void 0) return;
@@ -591,23 +595,23 @@ kt.prototype.c = function() {
     e();
   }
 };
-kt.prototype.S = function() {
+bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, _i(this), bi(this), Oe++;
-  var e = N;
-  return N = this, ys.bind(this, e);
+  this.f |= 1, this.f &= -9, gi(this), hi(this), Ae++;
+  var e = H;
+  return H = this, ms.bind(this, e);
 };
-kt.prototype.N = function() {
-  2 & this.f || (this.f |= 2, this.u = Zt, Zt = this);
+bt.prototype.N = function() {
+  2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
 };
-kt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || Uo(this);
+bt.prototype.d = function() {
+  this.f |= 8, 1 & this.f || Ho(this);
 };
-kt.prototype.dispose = function() {
+bt.prototype.dispose = function() {
   this.d();
 };
-function T(e, t) {
-  var n = new kt(e, t);
+function C(e, t) {
+  var n = new bt(e, t);
   try {
     n.c();
   } catch (r) {
@@ -618,55 +622,55 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Wo, tn, qn, _s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
-T(function() {
-  Wo = this.N;
+var Ko, Zt, Hn, hs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, bi = [], _i = [];
+C(function() {
+  Ko = this.N;
 })();
-function xt(e, t) {
-  C[e] = t.bind(null, C[e] || function() {
+function _t(e, t) {
+  M[e] = t.bind(null, M[e] || function() {
   });
 }
-function en(e) {
-  if (qn) {
-    var t = qn;
-    qn = void 0, t();
+function Jt(e) {
+  if (Hn) {
+    var t = Hn;
+    Hn = void 0, t();
   }
-  qn = e && e.S();
+  Hn = e && e.S();
 }
-function xi(e) {
-  var t = this, n = e.data, o = it(n);
+function yi(e) {
+  var t = this, n = e.data, o = ot(n);
   o.name = "ReactiveDom", o.value = n;
-  var r = Hn(function() {
-    for (var l = t, d = t.__v; d = d.__; ) if (d.__c) {
+  var r = $n(function() {
+    for (var s = t, d = t.__v; d = d.__; ) if (d.__c) {
       d.__c.__$f |= 4;
       break;
     }
-    var u = G(function() {
+    var c = q(function() {
       var f = o.value.value;
       return f === 0 ? 0 : f === !0 ? "" : f || "";
-    }), c = G(function() {
-      return !Array.isArray(u.value) && !Vo(u.value);
-    }), p = T(function() {
-      if (this.N = Si, c.value) {
-        var f = u.value;
-        l.__v && l.__v.__e && l.__v.__e.nodeType === 3 && (l.__v.__e.data = f);
+    }), u = q(function() {
+      return !Array.isArray(c.value) && !ko(c.value);
+    }), p = C(function() {
+      if (this.N = wi, u.value) {
+        var f = c.value;
+        s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
     }), m = t.__$u.d;
     return t.__$u.d = function() {
       p(), m.call(this);
-    }, [c, u];
+    }, [u, c];
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-xi.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Yr(X, null).constructor }, type: { configurable: !0, value: xi }, props: { configurable: !0, get: function() {
+yi.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Xr(X, null).constructor }, type: { configurable: !0, value: yi }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
   } } };
 } }, __b: { configurable: !0, value: 1 } });
-xt("__b", function(e, t) {
-  if (en(), tn = void 0, typeof t.type == "string") {
+_t("__b", function(e, t) {
+  if (Jt(), Zt = void 0, typeof t.type == "string") {
     var n, o = t.props;
     for (var r in o) if (r !== "children") {
       var i = o[r];
@@ -675,56 +679,56 @@ xt("__b", function(e, t) {
   }
   e(t);
 });
-xt("__r", function(e, t) {
+_t("__r", function(e, t) {
   if (e(t), t.type !== X) {
-    en();
+    Jt();
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
-      return T(function() {
+      return C(function() {
         a = this;
       }, { name: i }), a.c = r, a;
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        _s && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        hs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
-    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), tn = o, en(n);
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
 });
-xt("__e", function(e, t, n, o) {
-  en(), tn = void 0, e(t, n, o);
+_t("__e", function(e, t, n, o) {
+  Jt(), Zt = void 0, e(t, n, o);
 });
-xt("diffed", function(e, t) {
-  en(), tn = void 0;
+_t("diffed", function(e, t) {
+  Jt(), Zt = void 0;
   var n;
   if (typeof t.type == "string" && (n = t.__e)) {
     var o = t.__np, r = t.props, i = n.U;
     if (i) for (var a in i) {
-      var l = i[a];
-      l === void 0 || o && a in o || (l.d(), i[a] = void 0);
+      var s = i[a];
+      s === void 0 || o && a in o || (s.d(), i[a] = void 0);
     }
     if (o) {
       i || (i = {}, n.U = i);
       for (var d in o) {
-        var u = i[d], c = o[d];
-        u === void 0 ? (u = ws(n, d, c, r), i[d] = u) : u.o(c, r);
+        var c = i[d], u = o[d];
+        c === void 0 ? (c = vs(n, d, u, r), i[d] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function ws(e, t, n, o) {
+function vs(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
-  return { o: function(a, l) {
-    i.value = a, o = l;
-  }, d: T(function() {
-    this.N = Si;
+  return { o: function(a, s) {
+    i.value = a, o = s;
+  }, d: C(function() {
+    this.N = wi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
 }
-xt("unmount", function(e, t) {
+_t("unmount", function(e, t) {
   if (typeof t.type == "string") {
     var n = t.__e;
     if (n) {
@@ -739,24 +743,24 @@ xt("unmount", function(e, t) {
     }
     var a = t.__np;
     if (a) {
-      var l = t.props;
-      for (var d in a) l[d] = a[d];
+      var s = t.props;
+      for (var d in a) s[d] = a[d];
     }
     t.__np = void 0;
   } else {
-    var u = t.__c;
-    if (u) {
-      u.__$f |= 8;
-      var c = u.__$u;
-      c && (u.__$u = void 0, c.d());
+    var c = t.__c;
+    if (c) {
+      c.__$f |= 8;
+      var u = c.__$u;
+      u && (c.__$u = void 0, u.d());
     }
   }
   e(t);
 });
-xt("__h", function(e, t, n, o) {
+_t("__h", function(e, t, n, o) {
   o < 3 && (t.__$f |= 2), e(t, n, o);
 });
-wt.prototype.shouldComponentUpdate = function(e, t) {
+gt.prototype.shouldComponentUpdate = function(e, t) {
   if (this.__R) return !0;
   var n = this.__$u, o = n && n.s !== void 0;
   for (var r in t) return !0;
@@ -765,59 +769,59 @@ wt.prototype.shouldComponentUpdate = function(e, t) {
     if (!(o || i || 4 & this.__$f) || 1 & this.__$f) return !0;
   } else if (!(o || 4 & this.__$f) || 3 & this.__$f) return !0;
   for (var a in e) if (a !== "__source" && e[a] !== this.props[a]) return !0;
-  for (var l in this.props) if (!(l in e)) return !0;
+  for (var s in this.props) if (!(s in e)) return !0;
   return !1;
 };
-function it(e, t) {
-  return Hn(function() {
+function ot(e, t) {
+  return $n(function() {
     return g(e, t);
   }, []);
 }
-var ks = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var gs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, xs = function(e) {
+}, bs = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Ss() {
-  Fn(function() {
-    for (var e; e = wi.shift(); ) Wo.call(e);
+function _s() {
+  Rn(function() {
+    for (var e; e = bi.shift(); ) Ko.call(e);
   });
 }
-function Ms() {
-  wi.push(this) === 1 && (C.requestAnimationFrame || ks)(Ss);
+function ys() {
+  bi.push(this) === 1 && (M.requestAnimationFrame || gs)(_s);
 }
-function Cs() {
-  Fn(function() {
-    for (var e; e = ki.shift(); ) Wo.call(e);
+function ws() {
+  Rn(function() {
+    for (var e; e = _i.shift(); ) Ko.call(e);
   });
 }
-function Si() {
-  ki.push(this) === 1 && (C.requestAnimationFrame || xs)(Cs);
+function wi() {
+  _i.push(this) === 1 && (M.requestAnimationFrame || bs)(ws);
 }
-function Mi(e, t) {
-  var n = oe(e);
+function ki(e, t) {
+  var n = te(e);
   n.current = e;
-  var o = tn;
-  $e(function() {
-    return T(function() {
-      if (this.N = Ms, !(o && 8 & o.__$f)) return n.current();
+  var o = Zt;
+  Se(function() {
+    return C(function() {
+      if (this.N = ys, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/store.ts
-var jn = /* @__PURE__ */ new Set(), St = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function rn(e, t) {
-  if (!St(e) || !St(t)) return t;
+var Kn = /* @__PURE__ */ new Set(), yt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function nn(e, t) {
+  if (!yt(e) || !yt(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = rn(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = nn(n[o], r);
   return n;
 }
-var nn = class {
+var en = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -833,9 +837,9 @@ var nn = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: rn(i, r), seq: n });
+      this.own.set(o, { value: nn(i, r), seq: n });
     }
-    jn.add(this), this.show();
+    Kn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -849,7 +853,7 @@ var nn = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && jn.delete(this), n && this.show();
+    this.own.size === 0 && Kn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -860,7 +864,7 @@ var nn = class {
     for (let [n, o] of this.own) t[n] = o.value;
     this.shown.value = { ...this.server, ...t };
   }
-}, Pe = class {
+}, Me = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
   entries = /* @__PURE__ */ new Map();
@@ -879,247 +883,247 @@ var nn = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new nn(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new en(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new nn(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new en(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, w = new Pe(), O = new Pe(), be = new Pe(), Mt = new Pe(), Ct = new Pe(), Et = new Pe(), Ke = new Pe(), at = new Pe(), on = {
-  lamps: w,
-  groups: O,
-  things: be,
-  materials: Mt,
-  views: Ct,
-  looks: Et,
-  meters: Ke,
-  grids: at
-}, ee = g(null), an = g([]), Me = g([]), st = g({ undo: null, redo: null, steps: 0 }), lt = g({ state: "clean", file: "" }), te = g({ you: !0, name: null }), Le = g(null), Un = new nn({
+}, k = new Me(), K = new Me(), he = new Me(), wt = new Me(), kt = new Me(), xt = new Me(), St = new Me(), Dn = new Me(), tn = {
+  lamps: k,
+  groups: K,
+  things: he,
+  materials: wt,
+  views: kt,
+  looks: xt,
+  meters: St,
+  grids: Dn
+}, J = g(null), on = g([]), we = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), j = g({ you: !0, name: null }), Ce = g(null), On = new en({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), ut = Un.shown, Bo = {
-  scene: ee,
-  layers: an,
-  solo: Me,
-  history: st,
-  saved: lt,
-  editor: te,
-  status: Le
+}), at = On.shown, Do = {
+  scene: J,
+  layers: on,
+  solo: we,
+  history: rt,
+  saved: it,
+  editor: j,
+  status: Ce
 };
-function Ci(e) {
-  jn.clear();
-  for (let [t, n] of Object.entries(on)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Bo)) t in e && (n.value = e[t]);
-  St(e.display) && Un.receive(e.display);
+function xi(e) {
+  Kn.clear();
+  for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(Do)) t in e && (n.value = e[t]);
+  yt(e.display) && On.receive(e.display);
 }
-function Ei(e, t) {
+function Si(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in on ? on[n].patch(o) : n === "display" ? Un.receive(o) : n in Bo && (Bo[n].value = o);
-  Tt(t);
+    n in tn ? tn[n].patch(o) : n === "display" ? On.receive(o) : n in Do && (Do[n].value = o);
+  Mt(t);
 }
-function Tt(e) {
-  for (let t of [...jn]) t.release(e);
+function Mt(e) {
+  for (let t of [...Kn]) t.release(e);
 }
-function Ti(e, t) {
+function Mi(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in on && St(o))
+    if (n in tn && yt(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = on[n].entry(Number(r));
-        a && St(i) && t(a, i);
+        let a = tn[n].entry(Number(r));
+        a && yt(i) && t(a, i);
       }
-    else n === "display" && St(o) && t(Un, o);
+    else n === "display" && yt(o) && t(On, o);
 }
-var zo = (e, t) => Ti(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ti(e, (n, o) => n.settle(o, t));
-function ye(e) {
-  let t = O.get(e.group);
+var Oo = (e, t) => Mi(e, (n, o) => n.keep(o, t)), Fn = (e, t) => Mi(e, (n, o) => n.settle(o, t));
+function Re(e) {
+  let t = K.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-var $i = G(() => {
-  let e = w.all();
-  return e.length > 0 && e.every(([, t]) => ye(t) === 0);
+var Ci = q(() => {
+  let e = k.all();
+  return e.length > 0 && e.every(([, t]) => Re(t) === 0);
 });
-function Es(e, t) {
+function ks(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/say.ts
-var ct = g([]), Ts = 0;
-function Q(e, t = "plain") {
-  if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++Ts;
-  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Go(o), t === "warn" ? 8e3 : 4e3);
+var st = g([]), xs = 0;
+function ae(e, t = "plain") {
+  if (st.peek().find((r) => r.text === e)) return;
+  let o = ++xs;
+  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Fo(o), t === "warn" ? 8e3 : 4e3);
 }
-function Go(e) {
-  ct.value = ct.peek().filter((t) => t.id !== e);
+function Fo(e) {
+  st.value = st.peek().filter((t) => t.id !== e);
 }
 
 // src/counters.ts
-var le = {
+var se = {
   frame: 0,
   seqApplied: 0,
   frames: [],
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Pi = 0;
+}, Ei = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Pi = t.timeStamp, { capture: !0, passive: !0 });
-function Li(e, t) {
-  le.sent.push({ seq: e, what: t, at: performance.now(), input: Pi }), le.sent.length > 1024 && le.sent.shift();
+  addEventListener(e, (t) => Ei = t.timeStamp, { capture: !0, passive: !0 });
+function Ti(e, t) {
+  se.sent.push({ seq: e, what: t, at: performance.now(), input: Ei }), se.sent.length > 1024 && se.sent.shift();
 }
-function Vi(e) {
-  le.frame = e.frame, le.seqApplied = e.seq, le.firstDrawn ||= e.drawn, le.frames.push(e), le.frames.length > 1024 && le.frames.shift(), requestAnimationFrame(() => {
+function Pi(e) {
+  se.frame = e.frame, se.seqApplied = e.seq, se.firstDrawn ||= e.drawn, se.frames.push(e), se.frames.length > 1024 && se.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
       e.painted = performance.now(), t.port1.close();
     }, t.port2.postMessage(0);
   });
 }
-window.__desk = le;
+window.__desk = se;
 
 // src/wire.ts
-var U = g("entering"), un = g(0), me = g("edit"), Jo = g(null), De = g(0), Ii = () => null, Ai = (e) => {
-  Ii = e;
-}, Yo = /* @__PURE__ */ new Map(), ze = null, sn = 0, Xo = null, ln = 0, $t = "", Bn = !1;
-function Ce(e, t) {
-  let n = Yo.get(e) ?? /* @__PURE__ */ new Set();
-  return Yo.set(e, n.add(t)), () => n.delete(t);
+var U = g("entering"), sn = g(0), fe = g("edit"), jo = g(null), He = g(0), $i = () => null, Li = (e) => {
+  $i = e;
+}, Nn = /* @__PURE__ */ new Map(), Ue = null, rn = 0, No = null, an = 0, Ct = "", qn = !1;
+function ke(e, t) {
+  let n = Nn.get(e) ?? /* @__PURE__ */ new Set();
+  return Nn.set(e, n.add(t)), () => n.delete(t);
 }
-function F(e) {
-  return !ze || ze.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (sn += 1, ze.send(JSON.stringify({ ...e, seq: sn })), e.do !== "ack" && Li(sn, e.do), sn);
+function D(e) {
+  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, Ue.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Ti(rn, e.do), rn);
 }
-var $s = 0, ft = /* @__PURE__ */ new Map();
-function Ee(e, t, n, o = () => {
+var Ss = 0, lt = /* @__PURE__ */ new Map();
+function xe(e, t, n, o = () => {
 }) {
-  let r = ++$s, i = Ce("answer", (l) => {
-    l.id === r && (l.done !== !1 && i(), n(l));
-  }), a = F({ do: "ask", id: r, what: e, ...t });
+  let r = ++Ss, i = ke("answer", (s) => {
+    s.id === r && (s.done !== !1 && i(), n(s));
+  }), a = D({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
-  ft.set(a, (l) => {
-    i(), o(l);
+  lt.set(a, (s) => {
+    i(), o(s);
   });
-  for (let l of ft.keys()) {
-    if (l > a - 300) break;
-    ft.delete(l);
+  for (let s of lt.keys()) {
+    if (s > a - 300) break;
+    lt.delete(s);
   }
   return i;
 }
-function Ps(e) {
+function Ms(e) {
   switch (e.is) {
     case "hello":
-      if (ln = 0, Xo !== null && e.build !== Xo) {
-        U.value = "renewed", ze?.close();
+      if (an = 0, No !== null && e.build !== No) {
+        U.value = "renewed", Ue?.close();
         return;
       }
-      Xo = e.build, me.value = e.role === "watch" ? "watch" : "edit", Jo.value = e.you === void 0 ? null : String(e.you), De.value = 0, ft.clear(), U.value = "open";
+      No = e.build, fe.value = e.role === "watch" ? "watch" : "edit", jo.value = e.you === void 0 ? null : String(e.you), He.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      Ci(e.state ?? e);
+      xi(e.state ?? e);
       break;
     case "patch":
-      Qo(e.seq), Ei(e.patch ?? {}, De.value);
+      qo(e.seq), Si(e.patch ?? {}, He.value);
       break;
     case "status":
-      Le.value = e;
+      Ce.value = e;
       break;
     case "refused":
-      if (Qo(e.seq), Tt(De.value), ft.has(e.seq)) {
-        ft.get(e.seq)?.(e.why ?? ""), ft.delete(e.seq);
+      if (qo(e.seq), Mt(He.value), lt.has(e.seq)) {
+        lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (Bn = !0);
+      e.what === "bye" && (qn = !0);
       break;
   }
-  for (let t of [...Yo.get(e.is) ?? []]) t(e);
+  for (let t of [...Nn.get(e.is) ?? []]) t(e);
 }
-function Qo(e) {
-  typeof e == "number" && e > De.value && (De.value = e);
+function qo(e) {
+  typeof e == "number" && e > He.value && (He.value = e);
 }
-async function Ri() {
-  if (!$t) return "in";
+async function Vi() {
+  if (!Ct) return "in";
   try {
     return (await fetch("/enter", {
       method: "POST",
       headers: { "content-type": "application/json" },
-      body: JSON.stringify({ key: $t })
+      body: JSON.stringify({ key: Ct })
     })).ok ? "in" : "denied";
   } catch {
     return "away";
   }
 }
-function Hi() {
+function Ii() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  ze = t, t.onmessage = (o) => {
-    if (t !== ze) return;
+  Ue = t, Nn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== Ue) return;
     if (typeof o.data != "string") {
-      let i = Ii(o.data);
-      i && Qo(i.seq);
+      let i = $i(o.data);
+      i && qo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, sn = 0), Ps(r);
+    r.is === "hello" && (n = !0, rn = 0), Ms(r);
   }, t.onclose = () => {
-    t === ze && (ze = null, U.value !== "renewed" && Ls(n));
+    t === Ue && (Ue = null, U.value !== "renewed" && Cs(n));
   };
 }
-async function Ls(e) {
-  if (Tt(1 / 0), !e && await Vs()) {
-    let o = await Ri();
-    if (o === "denied" || o === "in" && ln > 4 && !$t) {
+async function Cs(e) {
+  if (Mt(1 / 0), !e && await Es()) {
+    let o = await Vi();
+    if (o === "denied" || o === "in" && an > 4 && !Ct) {
       U.value = "denied";
       return;
     }
   }
-  ln += 1;
+  an += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  ln > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
-  let n = Math.min(5, ln);
+  an > 3 && t && (qn = !0), U.value = qn ? "ended" : "lost";
+  let n = Math.min(5, an);
   for (let o = n; o > 0; o--)
-    un.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  un.value = 0, Hi();
+    sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
+  sn.value = 0, Ii();
 }
-async function Vs() {
+async function Es() {
   try {
     return (await fetch("/", { method: "HEAD", cache: "no-store" })).ok;
   } catch {
     return !1;
   }
 }
-async function Oi() {
+async function Ai() {
   let e = location.hash.slice(1);
-  if (e ? ($t = e, sessionStorage.setItem("lampyris-key", $t), window.history.replaceState(null, "", location.pathname + location.search)) : $t = sessionStorage.getItem("lampyris-key") ?? "", le.entered = performance.now(), e && await Ri() === "denied") {
+  if (e ? (Ct = e, sessionStorage.setItem("lampyris-key", Ct), window.history.replaceState(null, "", location.pathname + location.search)) : Ct = sessionStorage.getItem("lampyris-key") ?? "", se.entered = performance.now(), e && await Vi() === "denied") {
     U.value = "denied";
     return;
   }
-  Hi();
+  Ii();
 }
-Ce("hello", () => Bn = !1);
+ke("hello", () => qn = !1);
 
 // src/gesture.ts
-var Pt = 0, Ni = /* @__PURE__ */ new Set(), Fi = (e) => {
-  Ni.add(e);
-}, cn = /* @__PURE__ */ new Set();
-function zn() {
-  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : me.value === "watch" ? "You are watching. Ask for the pen to change things." : te.value.you ? null : `${te.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
+var Et = 0, Ki = /* @__PURE__ */ new Set(), Di = (e) => {
+  Ki.add(e);
+}, ln = /* @__PURE__ */ new Set();
+function jn() {
+  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : fe.value === "watch" ? "You are watching. Ask for the pen to change things." : j.value.you ? null : `${j.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
 }
-var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ne = class {
+var Ri = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), We = class {
   constructor(t) {
     this.label = t;
   }
@@ -1131,179 +1135,179 @@ var Ki = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (zo(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= De.peek() && this.flush());
+    this.state === "over" || !this.begin() || (Oo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= He.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = F(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = D(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ki(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Fn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ri(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Wn(this.touched, 0), this.finish({ do: "cancel" }), Tt(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, Fn(this.touched, 0), this.finish({ do: "cancel" }), Mt(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
-    this.waiting && this.under <= De.peek() && this.flush();
+    this.waiting && this.under <= He.peek() && this.flush();
   }
   /** The line is gone, and with it what was held. */
   drop() {
-    this.state = "over", cn.delete(this), Pt = 0;
+    this.state = "over", ln.delete(this), Et = 0;
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = se(zn);
-    return t ? (Q(t, "warn"), this.state = "over", !1) : (this.state = "held", cn.add(this), Pt === 0 && Ni.forEach((n) => n()), Pt++ === 0 && (this.last = F({ do: "begin", label: Ki(this.label) })), !0);
+    let t = ie(jn);
+    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Et === 0 && Ki.forEach((n) => n()), Et++ === 0 && (this.last = D({ do: "begin", label: Ri(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = F({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = D({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    cn.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && F(t);
+    ln.delete(this), Et = Math.max(0, Et - 1), Et === 0 && D(t);
   }
 };
-function ce(e, t) {
-  let n = new Ne(e);
+function Te(e, t) {
+  let n = new We(e);
   n.set(t), n.end();
 }
-function Gn(e, t) {
-  let n = new Ne(e);
+function Ts(e, t) {
+  let n = new We(e);
   n.also(t), n.end();
 }
-function Lt(e) {
-  se(() => U.value) === "open" && (zo({ display: e }, 1 / 0), Wn({ display: e }, F({ do: "display", patch: e })));
+function Tt(e) {
+  ie(() => U.value) === "open" && (Oo({ display: e }, 1 / 0), Fn({ display: e }, D({ do: "display", patch: e })));
 }
-var Ve = null;
-function Zo(e, t, n) {
-  Ve && Ve.key !== e && Di(), Ve ??= { key: e, gesture: new Ne(t), timer: 0 }, Ve.gesture.set(n), clearTimeout(Ve.timer), Ve.timer = window.setTimeout(Di, 700);
+var Ee = null;
+function Uo(e, t, n) {
+  Ee && Ee.key !== e && Hi(), Ee ??= { key: e, gesture: new We(t), timer: 0 }, Ee.gesture.set(n), clearTimeout(Ee.timer), Ee.timer = window.setTimeout(Hi, 700);
 }
-function Di() {
-  Ve && (clearTimeout(Ve.timer), Ve.gesture.end(), Ve = null);
+function Hi() {
+  Ee && (clearTimeout(Ee.timer), Ee.gesture.end(), Ee = null);
 }
-T(() => {
-  De.value, se(() => [...cn].forEach((e) => e.followed()));
+C(() => {
+  He.value, ie(() => [...ln].forEach((e) => e.followed()));
 });
-T(() => {
-  U.value !== "open" && [...cn].forEach((e) => e.drop());
+C(() => {
+  U.value !== "open" && [...ln].forEach((e) => e.drop());
 });
 
 // src/vec.ts
-var M = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], A = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], x = (e, t) => [e[0] * t, e[1] * t, e[2] * t], K = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], fe = (e, t) => [
+var V = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], F = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ve = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Fe = (e) => Math.hypot(e[0], e[1], e[2]), Te = (e, t) => Fe(A(e, t)), Is = (e, t, n) => M(x(e, 1 - n), x(t, n));
-function q(e, t = [0, 0, 1]) {
-  let n = Fe(e);
-  return n > 1e-12 ? x(e, 1 / n) : t;
+], Ke = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Ke(O(e, t)), Ps = (e, t, n) => V(S(e, 1 - n), S(t, n));
+function Z(e, t = [0, 0, 1]) {
+  let n = Ke(e);
+  return n > 1e-12 ? S(e, 1 / n) : t;
 }
-function pt(e) {
-  let t = Math.abs(e[0]) < 0.7 * Fe(e) ? [1, 0, 0] : [0, 1, 0];
-  return q(fe(t, e));
+function ut(e) {
+  let t = Math.abs(e[0]) < 0.7 * Ke(e) ? [1, 0, 0] : [0, 1, 0];
+  return Z(ve(t, e));
 }
-function fn(e, t, n) {
+function un(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return M(M(x(e, o), x(fe(t, e), r)), x(t, K(t, e) * (1 - o)));
+  return V(V(S(e, o), S(ve(t, e), r)), S(t, F(t, e) * (1 - o)));
 }
-function Vt([e, t]) {
+function Pt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
     o & 1 ? t[0] : e[0],
     o & 2 ? t[1] : e[1],
     o & 4 ? t[2] : e[2]
   ]);
 }
-var Ge = ([e, t]) => Is(e, t, 0.5);
+var Be = ([e, t]) => Ps(e, t, 0.5);
 
 // src/camera.ts
-var er = Math.PI / 180, Xn = 89 * er;
-function It(e, t, n) {
-  let o = q(A(e.target, e.eye), [0, 0, -1]), r = q(fe(o, e.up), pt(o)), i = fe(r, o), a = e.height != null && e.height > 0, l = a ? e.height / n : 2 * Math.tan(e.fov * er * 0.5) / n;
-  return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: l, parallel: a };
+var Wo = Math.PI / 180, Un = 89 * Wo;
+function $t(e, t, n) {
+  let o = Z(O(e.target, e.eye), [0, 0, -1]), r = Z(ve(o, e.up), ut(o)), i = ve(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * Wo * 0.5) / n;
+  return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
-function pn(e, t) {
-  let n = A(t, e.eye), o = K(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
-  return [e.width / 2 + K(n, e.side) / r, e.height / 2 - K(n, e.up) / r, o];
+function cn(e, t) {
+  let n = O(t, e.eye), o = F(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  return [e.width / 2 + F(n, e.side) / r, e.height / 2 - F(n, e.up) / r, o];
 }
-function As(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = M(x(e.side, o), x(e.up, r));
-  return e.parallel ? { origin: M(e.eye, i), direction: e.forward } : { origin: e.eye, direction: q(M(e.forward, i)) };
+function $s(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = V(S(e.side, o), S(e.up, r));
+  return e.parallel ? { origin: V(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(V(e.forward, i)) };
 }
-function qi(e, t, n, o) {
-  let r = A(e.target, e.eye), i = Math.max(Fe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, K(q(r), t)))), l = A(r, x(t, K(r, t))), d = q(Fe(l) > 1e-6 * i ? l : A(e.up, x(t, K(e.up, t))), pt(t)), u = Math.max(-Xn, Math.min(Xn, a + o)), c = fn(d, t, n), p = M(x(c, Math.cos(u)), x(t, Math.sin(u)));
-  return { ...e, up: t, target: M(e.eye, x(p, i)) };
+function Oi(e, t, n, o) {
+  let r = O(e.target, e.eye), i = Math.max(Ke(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(Z(r), t)))), s = O(r, S(t, F(r, t))), d = Z(Ke(s) > 1e-6 * i ? s : O(e.up, S(t, F(e.up, t))), ut(t)), c = Math.max(-Un, Math.min(Un, a + o)), u = un(d, t, n), p = V(S(u, Math.cos(c)), S(t, Math.sin(c)));
+  return { ...e, up: t, target: V(e.eye, S(p, i)) };
 }
-function ji(e, t, n, o, r) {
-  let i = A(e.target, e.eye), a = A(i, x(t, K(i, t))), l = q(Fe(a) > 1e-6 ? a : e.up, pt(t)), d = q(fe(l, t)), u = M(M(x(l, n), x(d, o)), x(t, r));
-  return Xe(e, u);
+function Fi(e, t, n, o, r) {
+  let i = O(e.target, e.eye), a = O(i, S(t, F(i, t))), s = Z(Ke(a) > 1e-6 ? a : e.up, ut(t)), d = Z(ve(s, t)), c = V(V(S(s, n), S(d, o)), S(t, r));
+  return ze(e, c);
 }
-function Ui(e, t, n, o, r) {
-  let i = q(A(e.target, e.eye)), a = q(fe(i, e.up), pt(i));
-  return Xe(e, M(M(x(i, n), x(a, o)), x(t, r)));
+function Ni(e, t, n, o, r) {
+  let i = Z(O(e.target, e.eye)), a = Z(ve(i, e.up), ut(i));
+  return ze(e, V(V(S(i, n), S(a, o)), S(t, r)));
 }
-function Xe(e, t) {
-  return { ...e, eye: M(e.eye, t), target: M(e.target, t) };
+function ze(e, t) {
+  return { ...e, eye: V(e.eye, t), target: V(e.target, t) };
 }
-function Wi(e, t, n, o, r) {
-  let i = q(A(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, K(i, t)))), l = Math.max(-Xn, Math.min(Xn, a + r)), d = q(fe(i, t), q(fe(i, e.up), pt(i))), u = (c) => fn(fn(c, d, l - a), t, o);
+function qi(e, t, n, o, r) {
+  let i = Z(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), s = Math.max(-Un, Math.min(Un, a + r)), d = Z(ve(i, t), Z(ve(i, e.up), ut(i))), c = (u) => un(un(u, d, s - a), t, o);
   return {
     ...e,
     up: t,
-    eye: M(n, u(A(e.eye, n))),
-    target: M(n, u(A(e.target, n)))
+    eye: V(n, c(O(e.eye, n))),
+    target: V(n, c(O(e.target, n)))
   };
 }
-function Bi(e, t, n, o, r) {
+function ji(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return Xe(e, M(x(t.side, -n * i), x(t.up, o * i)));
+  return ze(e, V(S(t.side, -n * i), S(t.up, o * i)));
 }
-function Yn(e, t, n, o, r) {
-  let i = A(t, e.eye), a = Fe(i);
+function Wn(e, t, n, o, r) {
+  let i = O(t, e.eye), a = Ke(i);
   if (a < 1e-9) return e;
-  let l = a * (1 - n);
-  return r ? l = Math.sign(l) * Math.max(Math.abs(l), 0.5 * Math.abs(1 - n)) : l > 0 && (l = Math.max(0, Math.min(l, a - o))), Xe(e, x(i, l / a));
+  let s = a * (1 - n);
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), ze(e, S(i, s / a));
 }
-function Qn(e, t, n, o, r) {
-  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, l = M(
-    x(t.side, (n - t.width / 2) * a),
-    x(t.up, (t.height / 2 - o) * a)
+function Bn(e, t, n, o, r) {
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = V(
+    S(t.side, (n - t.width / 2) * a),
+    S(t.up, (t.height / 2 - o) * a)
   );
-  return { ...Xe(e, l), height: i };
+  return { ...ze(e, s), height: i };
 }
-function zi(e, t, n = 0.4) {
-  let o = Ge(t), r = Math.max(Te(t[0], t[1]) / 2, 0.15), i = q(A(e.eye, e.target));
+function Ui(e, t, n = 0.4) {
+  let o = Be(t), r = Math.max(De(t[0], t[1]) / 2, 0.15), i = Z(O(e.eye, e.target));
   if (e.height) {
-    let l = K(A(e.eye, o), i);
-    return { ...e, eye: M(o, x(i, l)), target: o, height: r * 3 };
+    let s = F(O(e.eye, o), i);
+    return { ...e, eye: V(o, S(i, s)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * er * 0.5), n + r);
-  return { ...e, eye: M(o, x(i, a)), target: o };
+  let a = Math.max(1.5 * r / Math.tan(e.fov * Wo * 0.5), n + r);
+  return { ...e, eye: V(o, S(i, a)), target: o };
 }
-var Rs = ["plan", "ceiling", "north", "east", "south", "west"];
-function Gi(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = q(fe(e, t));
-  return { right: q(fe(n, e)), ahead: n };
+var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
+function Wi(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ve(e, t));
+  return { right: Z(ve(n, e)), ahead: n };
 }
-function Xi(e, t, n, o) {
-  let { right: r, ahead: i } = Gi(n), a = Ge(t), l = (_) => Math.abs(K(A(t[1], t[0]), _)), u = {
-    plan: { forward: x(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: x(i, -1), side: r, cut: 0.35 },
+function Bi(e, t, n, o) {
+  let { right: r, ahead: i } = Wi(n), a = Be(t), s = (y) => Math.abs(F(O(t[1], t[0]), y)), c = {
+    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: x(i, -1), up: n, side: r, cut: 0.25 },
+    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: x(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], c = l(u.forward), p = 1, m = A(a, x(u.forward, c / 2 + p)), f = 1.08 * Math.max(l(u.up), l(u.side) / o, 0.1);
-  return { eye: m, target: a, up: u.up, fov: 50, height: f, near: p + c * u.cut };
+    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], u = s(c.forward), p = 1, m = O(a, S(c.forward, u / 2 + p)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
+  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: p + u * c.cut };
 }
-function dn(e, t) {
-  let n = (r, i) => Te(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+function fn(e, t) {
+  let n = (r, i) => De(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/frames.ts
-var W = g(null), Rt = g(0), Yi = ["moving", "settled", "final"], Qi = 32, At = /* @__PURE__ */ new Map(), Ie = null, tr = null, nr = !1, dt = null;
-function Hs(e) {
-  if (e.byteLength < Qi) return null;
+var W = g(null), Vt = g(0), zi = ["moving", "settled", "final"], Gi = 32, Lt = /* @__PURE__ */ new Map(), Pe = null, Bo = null, zo = !1, ct = null;
+function Vs(e) {
+  if (e.byteLength < Gi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1311,7 +1315,7 @@ function Hs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Yi[Math.min(t.getUint8(16), 2)],
+    kind: zi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1319,31 +1323,31 @@ function Hs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Os(e) {
-  let t = Hs(e);
-  return t ? (dt && F({ do: "ack", frame: dt.head.frame }), dt = { ...t, bytes: e, received: performance.now() }, nr || Ks(), t.head) : null;
+function Is(e) {
+  let t = Vs(e);
+  return t ? (ct && D({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, zo || As(), t.head) : null;
 }
-async function Ks() {
-  for (nr = !0; dt; ) {
-    let { head: e, mime: t, bytes: n, received: o } = dt;
-    dt = null;
+async function As() {
+  for (zo = !0; ct; ) {
+    let { head: e, mime: t, bytes: n, received: o } = ct;
+    ct = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Qi)], { type: t }));
-      Ds(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Gi)], { type: t }));
+      Rs(e, r, n.byteLength, o);
     } catch {
     }
-    F({ do: "ack", frame: e.frame });
+    D({ do: "ack", frame: e.frame });
   }
-  nr = !1;
+  zo = !1;
 }
-function Ds(e, t, n, o) {
+function Rs(e, t, n, o) {
   let r = performance.now();
-  Ie && tr && ((Ie.width !== t.width || Ie.height !== t.height) && (Ie.width = t.width, Ie.height = t.height), tr.drawImage(t, 0, 0)), t.close();
-  let i = At.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Vi({
+  Pe && Bo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Bo.drawImage(t, 0, 0)), t.close();
+  let i = Lt.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Hs(), Pi({
     frame: e.frame,
     seq: e.seq,
-    kind: Yi.indexOf(e.kind),
+    kind: zi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1356,57 +1360,57 @@ function Ds(e, t, n, o) {
     encode: e.encode
   });
 }
-var Jn = [];
-function Ns() {
+var zn = [];
+function Hs() {
   let e = performance.now();
-  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), Rt.value = Jn.length;
+  zn = zn.filter((t) => e - t < 1e3), zn.push(e), Vt.value = zn.length;
 }
-function or(e) {
-  Ie = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
+function Go(e) {
+  Pe = e, Bo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Ji() {
-  if (!Ie || !W.peek()) return null;
+function Xi() {
+  if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Ie.width, e.height = Ie.height, e.getContext("2d", { alpha: !1 })?.drawImage(Ie, 0, 0), e;
+  return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Ai(Os);
-Ce("camera", (e) => {
-  At.set(e.number, e);
-  for (let t of At.keys()) {
-    if (At.size <= 64) break;
-    At.delete(t);
+Li(Is);
+ke("camera", (e) => {
+  Lt.set(e.number, e);
+  for (let t of Lt.keys()) {
+    if (Lt.size <= 64) break;
+    Lt.delete(t);
   }
 });
-Ce("hello", () => {
-  At.clear(), dt = null;
+ke("line", () => {
+  Lt.clear(), ct = null;
 });
 
 // src/prefs.ts
-var Zi = "lampyris-";
-function pe(e, t) {
+var Yi = "lampyris-";
+function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Zi + e);
+    let r = localStorage.getItem(Yi + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
   let o = g(n);
-  return T(() => {
+  return C(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Zi + e, r);
+      localStorage.setItem(Yi + e, r);
     } catch {
     }
   }), o;
 }
-var rr = pe("theme", "dark"), ir = pe("house-lights", 1), Zn = pe("hands", "default"), ar = pe("walking", "walk"), sr = pe("panels", !0), Ht = pe("listing", "faders"), eo = pe("travel", "square"), Ot = pe("candles", "lx"), lr = pe("single-keys", !0), ur = pe("lamp-marks", !0), Fs = pe("maintenance", 1), Ye = pe("fine", !1), cr = pe("fade", 1), qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Ae = pe("look-only", qs);
+var Xo = ue("theme", "dark"), Yo = ue("house-lights", 1), Gn = ue("hands", "default"), Qo = ue("walking", "walk"), Jo = ue("panels", !0), It = ue("listing", "faders"), Xn = ue("travel", "square"), At = ue("candles", "lx"), Zo = ue("single-keys", !0), er = ue("lamp-marks", !0), Ks = ue("maintenance", 1), Ge = ue("fine", !1), tr = ue("fade", 1), Ds = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, $e = ue("look-only", Ds);
 
 // src/select.ts
-var E = g(null), ne = g(null), D = g(null), js = g("move"), re = G(() => {
+var E = g(null), pe = g(null), z = g(null), Os = g("move"), le = q(() => {
   let e = E.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => w.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => O.get(t)?.lamps ?? []) : [];
+  return e?.kind === "lamp" ? e.ids.filter((t) => k.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => K.get(t)?.lamps ?? []) : [];
 });
-function _e(e, t, n = "only") {
+function Xe(e, t, n = "only") {
   let o = E.peek();
   if (n === "only" || o?.kind !== e) {
     E.value = { kind: e, ids: [t] };
@@ -1417,329 +1421,233 @@ function _e(e, t, n = "only") {
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
   E.value = i.length ? { kind: e, ids: i } : null;
 }
-function to() {
+function Yn() {
   E.value = null;
 }
-function ea(e, t, n) {
+function Qi(e, t, n) {
   let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return _e(e, n);
-  let i = t.indexOf(n), [a, l] = r < i ? [r, i] : [i, r], d = t.slice(a, l + 1), u = (o?.ids ?? []).filter((c) => !d.includes(c));
-  E.value = { kind: e, ids: [...u, ...r < i ? d : d.reverse()] };
+  if (r < 0) return Xe(e, n);
+  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], d = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !d.includes(u));
+  E.value = { kind: e, ids: [...c, ...r < i ? d : d.reverse()] };
 }
-function Us(e) {
-  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? w.ids.peek() : n === "thing" ? be.ids.peek() : O.ids.peek();
+function Fs(e) {
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? he.ids.peek() : K.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  _e(n, o[(r + e + o.length) % o.length]);
+  Xe(n, o[(r + e + o.length) % o.length]);
 }
-function ta(e, t) {
+function Ji(e, t) {
   switch (e) {
     case "lamp":
-      return w.get(t)?.name ?? `lamp ${t}`;
+      return k.get(t)?.name ?? `lamp ${t}`;
     case "group":
-      return O.get(t)?.name ?? `group ${t}`;
+      return K.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return be.get(t)?.name ?? `thing ${t}`;
+      return he.get(t)?.name ?? `thing ${t}`;
     case "material":
-      return Mt.get(t)?.name ?? `material ${t}`;
+      return wt.get(t)?.name ?? `material ${t}`;
     default:
       return `${e} ${t}`;
   }
 }
-function Qe(e) {
-  return e.length === 1 ? ta("lamp", e[0]) : `${e.length} lamps`;
+function Qn(e) {
+  return e.length === 1 ? Ji("lamp", e[0]) : `${e.length} lamps`;
 }
-function na(e, t) {
+function Zi(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
-    let i = w.get(e.lamp)?.group;
-    i != null && (O.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+    let i = k.get(e.lamp)?.group;
+    i != null && (K.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && to();
+    t === "only" && Yn();
     return;
   }
-  if (t !== "only") return _e(n[0].kind, n[0].ids[0], t);
+  if (t !== "only") return Xe(n[0].kind, n[0].ids[0], t);
   let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   E.value = n[(r + 1) % n.length];
 }
-var no = g(null);
+var Jn = g(null);
 
 // src/navigate.ts
-var Ws = 1.6, we = g(null), he = G(() => ee.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Nt = g(null), dr = null, mn = null, fr = !1, Je = [], hr = [], mr = 0;
-function J(e, t = null) {
-  let n = we.peek();
-  if (n && dn(n, e)) return;
+var Ns = 1.6, ge = g(null), ta = q(() => fe.value === "edit" && j.value.you), Le = q(() => J.value?.up ?? [0, 0, 1]), be = g([640, 480]), Kt = g(null), rr = null, pn = null, nr = !1, Ye = [], ar = [], ir = 0;
+function Q(e, t = null) {
+  let n = ge.peek();
+  if (n && fn(n, e)) return;
   let o = performance.now();
-  n && (o - mr > 1e3 || t) && (Je.push(n), Je.length > 100 && Je.shift(), hr.length = 0), mr = o, we.value = e, Nt.value = t;
+  n && (o - ir > 1e3 || t) && (Ye.push(n), Ye.length > 100 && Ye.shift(), ar.length = 0), ir = o, ge.value = e, Kt.value = t;
 }
-var ie = () => we.peek();
-function Bs() {
-  ra(Je, hr);
+var ne = () => ge.peek();
+function qs() {
+  na(Ye, ar);
 }
-function zs() {
-  ra(hr, Je);
+function js() {
+  na(ar, Ye);
 }
-function ra(e, t) {
+function na(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = we.peek();
-  o && t.push(o), mr = performance.now(), we.value = n, Nt.value = null;
+  let o = ge.peek();
+  o && t.push(o), ir = performance.now(), ge.value = n, Kt.value = null;
 }
-T(() => {
-  !we.value || U.value !== "open" || me.value === "watch" || fr || (fr = !0, requestAnimationFrame(() => {
-    fr = !1;
-    let t = we.peek();
-    if (!t || mn && dn(mn, t)) return;
-    let { eye: n, target: o, up: r, fov: i, height: a, near: l } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (d.height = a), l && (d.near = l), F(d) && (mn = t);
+C(() => {
+  !ge.value || U.value !== "open" || !ta.value || nr || (nr = !0, requestAnimationFrame(() => {
+    nr = !1;
+    let t = ge.peek();
+    if (!t || pn && fn(pn, t)) return;
+    let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
+    a && (d.height = a), s && (d.near = s), D(d) && (pn = t);
   }));
 });
-T(() => {
+C(() => {
   let e = W.value;
-  e && se(() => {
-    we.peek() && me.peek() === "edit" || (mn = e.camera, we.value = e.camera, dr ??= e.camera);
+  e && ie(() => {
+    ge.peek() && ta.peek() || (pn = e.camera, ge.value = e.camera, rr ??= e.camera);
   });
 });
-Ce("hello", () => mn = null);
-function Ft(e, t) {
+ke("hello", () => pn = null);
+function Dt(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = hn(o.width, o.height);
+  let { head: o } = n, r = dn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function hn(e, t) {
-  let [n, o] = ke.peek(), r = Math.min(n / e, o / t);
+function dn(e, t) {
+  let [n, o] = be.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function mt(e = we.peek()) {
-  let [t, n] = ke.peek();
-  return e ? It(e, t, n) : null;
+function ft(e = ge.peek()) {
+  let [t, n] = be.peek();
+  return e ? $t(e, t, n) : null;
 }
-var Dt = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], qt = () => Ge(Dt());
-function oo(e, t) {
-  let n = ie();
-  n && J(qi(n, he.peek(), e, t));
+var Ht = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => Be(Ht());
+function Zn(e, t) {
+  let n = ne();
+  n && Q(Oi(n, Le.peek(), e, t));
 }
-function ro(e, t, n) {
-  let o = ie();
-  o && J(Wi(o, he.peek(), e, t, n));
+function eo(e, t, n) {
+  let o = ne();
+  o && Q(qi(o, Le.peek(), e, t, n));
 }
-function jt(e, t, n) {
-  let o = ie(), r = mt();
-  o && r && J(Bi(o, r, e, t, n));
+function Ft(e, t, n) {
+  let o = ne(), r = ft();
+  o && r && Q(ji(o, r, e, t, n));
 }
-function ia(e, t, n) {
-  let o = ie();
+function oa(e, t, n) {
+  let o = ne();
   if (o) {
     if (o.height) {
-      let r = mt(o);
-      r && J(Xe(o, M(x(r.side, t), x(r.up, e))));
+      let r = ft(o);
+      r && Q(ze(o, V(S(r.side, t), S(r.up, e))));
       return;
     }
-    ar.peek() === "fly" || n !== 0 ? J(Ui(o, he.peek(), e, t, n)) : (J(ji(o, he.peek(), e, t, 0)), Gs());
+    Qo.peek() === "fly" || n !== 0 ? Q(Ni(o, Le.peek(), e, t, n)) : (Q(Fi(o, Le.peek(), e, t, 0)), Us());
   }
 }
-var Kt = !1, pr = !0, oa = null;
-function Gs() {
-  let e = ie();
-  if (!e || Kt || !pr) return;
-  let t = he.peek();
-  Kt = !0;
-  let n = Ee("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
-    Kt = !1, pr = !0;
-    let r = ie();
+var Rt = !1, or = !0, ea = null;
+function Us() {
+  let e = ne();
+  if (!e || Rt || !or) return;
+  let t = Le.peek();
+  Rt = !0;
+  let n = xe("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
+    Rt = !1, or = !0;
+    let r = ne();
     if (!o.hit || !r || r.height) return;
-    oa = K(o.point, t);
-    let i = oa + Ws - K(r.eye, t);
-    Math.abs(i) > 0.01 && J(Xe(r, x(t, i * 0.5)));
+    ea = F(o.point, t);
+    let i = ea + Ns - F(r.eye, t);
+    Math.abs(i) > 0.01 && Q(ze(r, S(t, i * 0.5)));
   }, () => {
-    Kt = !1, pr = !1;
+    Rt = !1, or = !1;
   });
   setTimeout(() => {
-    Kt && n(), Kt = !1;
+    Rt && n(), Rt = !1;
   }, 500);
 }
-function Xs() {
+function Ws() {
   let e = E.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(w.get(i)?.box, w.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ke.get(i)?.point), e.kind === "group")
-      for (let a of O.get(i)?.lamps ?? []) n(w.get(a)?.box, w.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(k.get(i)?.box, k.get(i)?.place?.position), e.kind === "thing" && n(he.get(i)?.box), e.kind === "meter" && n(null, St.get(i)?.point), e.kind === "group")
+      for (let a of K.get(i)?.lamps ?? []) n(k.get(a)?.box, k.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(Vt), r = (i) => [0, 1, 2].map((a) => i(...o.map((l) => l[a])));
+  let o = t.flatMap(Pt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function vr() {
-  let e = ie(), t = Xs();
-  e && t ? J(zi(e, t), "selection") : gr();
+function sr() {
+  let e = ne(), t = Ws();
+  e && t ? Q(Ui(e, t), "selection") : lr();
 }
-function gr() {
-  dr && J(dr, "home");
+function lr() {
+  rr && Q(rr, "home");
 }
-function Ys(e) {
-  let [t, n] = ke.peek();
-  J(Xi(e, Dt(), he.peek(), t / n), e);
+function Bs(e) {
+  let [t, n] = be.peek();
+  Q(Bi(e, Ht(), Le.peek(), t / n), e);
 }
-function Qs() {
-  for (let e = Je.length - 1; e >= 0; e--)
-    if (!Je[e].height) return J(Je[e], "inside");
-  gr();
+function zs() {
+  for (let e = Ye.length - 1; e >= 0; e--)
+    if (!Ye[e].height) return Q(Ye[e], "inside");
+  lr();
 }
-var Js = G(() => {
-  let e = we.value;
+var Gs = q(() => {
+  let e = ge.value;
   if (!e?.height) return null;
-  let t = It(e, 2, 2), n = Vt(Dt()).map((l) => K(A(l, e.eye), t.forward)), o = e.near ?? 0, r = K(t.forward, he.value), i = Math.min(...Vt(Dt()).map((l) => K(l, he.value))), a = Math.abs(r) > 0.99 ? K(e.eye, he.value) + r * o - i : null;
+  let t = $t(e, 2, 2), n = Pt(Ht()).map((s) => F(O(s, e.eye), t.forward)), o = e.near ?? 0, r = F(t.forward, Le.value), i = Math.min(...Pt(Ht()).map((s) => F(s, Le.value))), a = Math.abs(r) > 0.99 ? F(e.eye, Le.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function Zs(e) {
-  let t = ie();
-  t && (we.value = { ...t, near: Math.max(0, e) });
+function Xs(e) {
+  let t = ne();
+  t && (ge.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var io = g("spot"), vn = null;
-function br(e) {
-  vn = null, D.value = D.peek() === e ? null : e;
+var ur = g("spot"), ra = () => {
+}, Ys = (e) => {
+  ra = e;
+}, ia = (e) => ra(e);
+function cr(e) {
+  z.value = z.peek() === e ? null : e;
 }
-function sa(e) {
-  if (!e) return Q("There is nothing at that point.", "warn");
-  switch (D.peek()) {
-    case "aim":
-      la(re.peek(), e.point), D.value = null;
-      break;
-    case "meter":
-      ua(e.point, e.normal), D.value = null;
-      break;
-    case "grid":
-      if (!vn) {
-        vn = e;
-        return;
-      }
-      el(vn.point, e.point), vn = null, D.value = null;
-      break;
-    case "add":
-      tl(io.peek(), e), D.value = null;
-      break;
-  }
-}
-function la(e, t) {
-  let n = {};
-  for (let o of e) {
-    let r = w.get(o)?.place;
-    !r?.position || !r.direction || (n[o] = { place: { aim: t, direction: q(A(t, r.position)) } });
-  }
-  if (!Object.keys(n).length) return Q("What is selected shines into all directions: it cannot be aimed.", "warn");
-  ce(`Aim ${Qe(e)}`, { lamps: n });
-}
-function yr(e, t) {
-  let n = new Set(e.ids.peek()), o = e.ids.subscribe((r) => {
-    let i = r.filter((a) => !n.has(a));
-    i.length && (_e(t, i[i.length - 1]), queueMicrotask(() => o()));
-  });
-  setTimeout(() => o(), 3e3);
-}
-var gn = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function ua(e, t) {
-  let n = gn(Ke);
-  yr(Ke, "meter"), ce("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
-}
-function ca(e) {
-  return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
-}
-function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let o = he.peek(), r = Math.abs(o[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], i = q(fe(o, r)), a = A(t, e), [l, d] = [K(a, r), K(a, i)];
-  if (Math.abs(l) < 0.05 || Math.abs(d) < 0.05) return Q("An area needs two corners that lie apart.", "warn");
-  let u = M(e, M(x(r, Math.min(l, 0)), x(i, Math.min(d, 0))));
-  [l, d] = [Math.abs(l), Math.abs(d)];
-  let c = (m) => Math.max(1, Math.ceil(m / ca(Math.max(l, d)))), p = gn(at);
-  yr(at, "grid"), ce("Lay a grid", {
-    grids: {
-      [p]: {
-        name: `Area ${p + 1}`,
-        corner: u,
-        u: x(r, l),
-        v: x(i, d),
-        normal: o,
-        columns: c(l),
-        rows: c(d),
-        target: n
-      }
-    }
-  });
-}
-var aa = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function tl(e, t) {
-  let n = he.peek(), o = K(t.normal, n), r = o > 0.7 ? M(t.point, x(n, 1.2)) : M(t.point, x(t.normal, 0.15)), i = o > 0.7 || o < -0.7 ? x(n, -1) : t.normal, a = { position: r };
-  e !== "point" && e !== "sphere" && (a.direction = i), e === "spot" && Object.assign(a, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (a.radius = 0.15), e === "sphere" && (a.radius = 0.08);
-  let l = w.all().filter(([, d]) => d.own).length;
-  yr(w, "lamp"), Gn(`Add ${aa[e]?.toLowerCase() ?? e} lamp`, {
-    do: "add",
-    lamp: { name: `${aa[e] ?? e} ${l + 1}`, kind: e, flux: 800, place: a }
-  });
-}
-function nl(e, t, n) {
-  !e.length || t < 1 || Gn(`Copy ${Qe(e)}`, { do: "copy", lamps: e, count: t, step: n });
-}
-function ol(e) {
-  e.length && Gn(`Remove ${Qe(e)}`, { do: "remove", lamps: e });
-}
-function rl(e, t, n) {
-  let o = {};
-  for (let r of e) {
-    let i = w.get(r)?.place, a = n.get(r);
-    if (!a) continue;
-    let l = M(a, t), d = i?.aim && Te(i.aim, l) > 1e-6 ? { direction: q(A(i.aim, l)) } : {};
-    o[r] = { place: { position: l, ...d } };
-  }
-  return { lamps: o };
-}
-function ao(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Ge(e.box) : null);
-}
-function il(e) {
-  let t = /* @__PURE__ */ new Map();
-  for (let n of e) {
-    let o = w.get(n), r = o && ao(o);
-    r && t.set(n, r);
-  }
-  return t;
+var to = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function fr(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Be(e.box) : null);
 }
 
 // src/actions.ts
-var ht = g(null), Ze = g("lamps"), wr = g("");
-function lo(e) {
-  let t = zn();
-  t ? Q(t, "warn") : F(e);
+var pt = g(null), Ve = g("lamps"), dr = g("");
+function oo(e) {
+  let t = jn();
+  t ? ae(t, "warn") : D(e);
 }
-var al = (e, t) => Object.fromEntries(e.map((n) => [n, t])), sl = {
+var Qs = (e, t) => Object.fromEntries(e.map((n) => [n, t])), Js = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "viridis",
   lines: !1
-}, _r = sl, ll = () => ut.peek().false_color ?? _r;
-function kr() {
-  let e = ut.peek().false_color;
-  e && (_r = e), Lt({ false_color: e ? null : _r });
+}, pr = Js, Zs = () => at.peek().false_color ?? pr;
+function mr() {
+  let e = at.peek().false_color;
+  e && (pr = e), Tt({ false_color: e ? null : pr });
 }
-function uo(e) {
-  let t = Math.round(((ut.peek().ev ?? 0) + e / 3) * 30) / 30;
-  Lt({ ev: t });
+function ro(e) {
+  let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
+  Tt({ ev: t });
 }
-function ul() {
-  let e = ie();
+function el() {
+  let e = ne();
   if (!e) return;
-  let t = gn(Ct);
-  ce("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+  let t = to(kt);
+  Te("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var cl = () => lo({ do: "look", what: "store", name: `Look ${gn(Et) + 1}` });
-async function xr(e) {
+var tl = () => oo({ do: "look", what: "store", name: `Look ${to(xt) + 1}` });
+async function hr(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1747,79 +1655,79 @@ async function xr(e) {
     let n = document.createElement("textarea");
     n.value = e, n.className = "spoken", document.body.append(n), n.select(), t = document.execCommand("copy"), n.remove();
   }
-  Q(t ? "Copied." : `Copy it by hand: ${e}`);
+  ae(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Ut = /* @__PURE__ */ new Map(), so = null;
-function fl(e) {
-  Ut = new Map(e.map((t) => [t.id, t])), so && Z(so), so = null;
+var Nt = /* @__PURE__ */ new Map(), no = null;
+function nl(e) {
+  Nt = new Map(e.map((t) => [t.id, t])), no && oe(no), no = null;
 }
-var pl = () => [...Ut.values()], fa = (e) => Ut.get(e), Sr = (e) => Ut.get(e)?.why?.() ?? null;
-function Z(e) {
-  let t = Ut.get(e);
-  Ut.size || (so = e);
+var ol = () => [...Nt.values()], aa = (e) => Nt.get(e), vr = (e) => Nt.get(e)?.why?.() ?? null;
+function oe(e) {
+  let t = Nt.get(e);
+  Nt.size || (no = e);
   let n = t?.why?.();
-  n ? Q(n, "warn") : t?.run();
+  n ? ae(n, "warn") : t?.run();
 }
 
 // src/before.ts
-var bn = g(null), ve = g(null), dl = g(0.5);
-function ml() {
-  let e = W.peek(), t = Ji();
-  e && t && (bn.value = { picture: t, camera: e.camera });
+var mn = g(null), de = g(null), rl = g(0.5);
+function il() {
+  let e = W.peek(), t = Xi();
+  e && t && (mn.value = { picture: t, camera: e.camera });
 }
-Fi(() => {
-  ve.peek() !== "wipe" && ml();
+Di(() => {
+  de.peek() !== "wipe" && il();
 });
-function pa() {
-  let e = bn.peek(), t = W.peek();
-  if (!e || !t) Q("Nothing has been changed yet.");
-  else if (!dn(e.camera, t.camera)) Q("The picture before was taken from another place: go back there with Alt+←.", "warn");
+function sa() {
+  let e = mn.peek(), t = W.peek();
+  if (!e || !t) ae("Nothing has been changed yet.");
+  else if (!fn(e.camera, t.camera)) ae("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
-function yn(e) {
-  e ? ve.peek() === null && pa() && (ve.value = "held") : ve.peek() === "held" && (ve.value = null);
+function hn(e) {
+  e ? de.peek() === null && sa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function hl() {
-  ve.value = ve.peek() === "wipe" ? null : pa() ? "wipe" : null;
+function al() {
+  de.value = de.peek() === "wipe" ? null : sa() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var vl = /* @__PURE__ */ Symbol.for("pv"), gl = 0;
-function s(e, t, n, o, r, i) {
+var sl = /* @__PURE__ */ Symbol.for("pv"), ll = 0;
+function l(e, t, n, o, r, i) {
   t || (t = {});
-  var a, l, d = t;
-  if ("ref" in d && typeof e != "function") for (l in d = {}, t) l == "ref" ? a = t[l] : d[l] = t[l];
-  var u = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: vl, __v: --gl, __i: -1, __u: 0 };
-  return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
+  var a, s, d = t;
+  if ("ref" in d && typeof e != "function") for (s in d = {}, t) s == "ref" ? a = t[s] : d[s] = t[s];
+  var c = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: sl, __v: --ll, __i: -1, __u: 0 };
+  return (r || i) && (c.__source = r, c.__self = i), M.vnode && M.vnode(c), c;
 }
 
 // src/load.tsx
-var ma = g(null), da = !1;
-function ae({ part: e }) {
-  let t = ma.value?.[e];
-  return t ? s(t, {}) : null;
+var ua = g(null), la = !1, gr = (e) => ua.value?.[e];
+function ee({ part: e }) {
+  let t = gr(e);
+  return t ? l(t, {}) : null;
 }
-function ha() {
-  T(() => {
-    if (da || !(W.value ?? E.value)) return;
-    da = !0;
+function ca() {
+  C(() => {
+    if (la || !(W.value ?? E.value)) return;
+    la = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ma.value = t);
+      import(e).then((t) => ua.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var co = 0.3048, va = {
+var io = 0.3048, fa = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: co, "'": co, in: co / 12, '"': co / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: io, "'": io, in: io / 12, '"': io / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -1829,74 +1737,74 @@ var co = 0.3048, va = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, bl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function Mr(e) {
-  let t = bl.exec(e);
+}, ul = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function br(e) {
+  let t = ul.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ga(e, t, n) {
+function pa(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
-    let a = 1, l = /^[+-]\s*/.exec(o);
-    l && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(l[0].length));
-    let d = Mr(o);
+    let a = 1, s = /^[+-]\s*/.exec(o);
+    s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
+    let d = br(o);
     if (!d) return null;
-    let u = /^[a-zµ°%'"×]+/i.exec(d.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
-    if (c === void 0) return null;
-    r += a * d.value * c, o = d.rest.slice(u.length).trim(), i = !1;
+    let c = /^[a-zµ°%'"×]+/i.exec(d.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
+    if (u === void 0) return null;
+    r += a * d.value * u, o = d.rest.slice(c.length).trim(), i = !1;
   }
   return i ? null : r;
 }
-function ba(e, t, n) {
-  let o = va[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (k) => ({
-    apply: (S) => Math.min(o.high, Math.max(o.low, k(S)))
+function da(e, t, n) {
+  let o = fa[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (w) => ({
+    apply: (x) => Math.min(o.high, Math.max(o.low, w(x)))
   });
   if (!r) return { why: `Type ${o.say}` };
-  let l = r.toLowerCase();
-  if (t === "level" && l === "full") return a(() => 1);
-  if (t === "level" && (l === "out" || l === "off")) return a(() => 0);
+  let s = r.toLowerCase();
+  if (t === "level" && s === "full") return a(() => 1);
+  if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let d = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (d && t !== "ev") {
-    let k = Mr(d[1].trim());
-    return !k || k.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((S) => S * 2 ** k.value);
+    let w = br(d[1].trim());
+    return !w || w.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((x) => x * 2 ** w.value);
   }
-  let u = /^([*/×÷])\s*(.+)$/.exec(r);
-  if (u) {
-    let k = Mr(u[2]);
-    if (!k) return i;
-    let S = k.rest === "%" ? 0.01 : k.rest === "" ? 1 : NaN, y = k.value * S;
-    return !Number.isFinite(y) || y === 0 && /[/÷]/.test(u[1]) ? i : a((b) => /[/÷]/.test(u[1]) ? b / y : b * y);
+  let c = /^([*/×÷])\s*(.+)$/.exec(r);
+  if (c) {
+    let w = br(c[2]);
+    if (!w) return i;
+    let x = w.rest === "%" ? 0.01 : w.rest === "" ? 1 : NaN, _ = w.value * x;
+    return !Number.isFinite(_) || _ === 0 && /[/÷]/.test(c[1]) ? i : a((b) => /[/÷]/.test(c[1]) ? b / _ : b * _);
   }
-  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = ga(m, o, o.bare);
+  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = pa(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let k = ga(m, { ...va.flux }, NaN);
-    f = k === null || Number.isNaN(k) ? null : k / n;
+    let w = pa(m, { ...fa.flux }, NaN);
+    f = w === null || Number.isNaN(w) ? null : w / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
-  let _ = f;
-  return p ? a((k) => p[1] === "-" ? k - _ : k + _) : _ < o.low || _ > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => _);
+  let y = f;
+  return p ? a((w) => p[1] === "-" ? w - y : w + y) : y < o.low || y > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => y);
 }
 function B(e, t = 0) {
   if (!Number.isFinite(e)) return "–";
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Re(e) {
+function Qe(e) {
   let t = Math.abs(e);
   return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
-function He(e) {
+function Ie(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function _n(e, t) {
+function vn(e, t) {
   switch (t) {
     case "level":
-      return `${He(e)} %`;
+      return `${Ie(e)} %`;
     case "flux":
-      return `${Re(e)} lm`;
+      return `${Qe(e)} lm`;
     case "kelvin":
       return `${B(e)} K`;
     case "angle":
@@ -1904,7 +1812,7 @@ function _n(e, t) {
     case "length":
       return `${B(e, 2)} m`;
     case "lux":
-      return `${Re(e)} lx`;
+      return `${Qe(e)} lx`;
     case "seconds":
       return `${B(e, 1)} s`;
     case "ev":
@@ -1915,26 +1823,26 @@ function _n(e, t) {
       return String(Math.round(e * 1e4) / 1e4);
   }
 }
-function vt(e, t = !0) {
-  let n = Ot.value === "fc", o = n ? e / 10.7639 : e;
-  return Re(o) + (t ? n ? " fc" : " lx" : "");
+function dt(e, t = !0) {
+  let n = At.value === "fc", o = n ? e / 10.7639 : e;
+  return Qe(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
-function gt(e) {
-  let t = it(null), n = it(null), o = oe(null), r = oe(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : _n(e.value, e.quantity));
-  $e(() => {
+function gn(e) {
+  let t = ot(null), n = ot(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
+  Se(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let p = ba(t.value, e.quantity, e.flux);
+    let p = da(t.value, e.quantity, e.flux);
     if ("why" in p) {
       n.value = p.why;
       return;
     }
     t.value = null, n.value = null, e.set(p.apply);
-  }, l = (p) => {
+  }, s = (p) => {
     if (p.key === "Enter")
       p.preventDefault(), a(), t.value === null && o.current?.select();
     else if (p.key === "Escape")
@@ -1946,15 +1854,15 @@ function gt(e) {
     }
   }, d = (p) => {
     !e.scrub || e.disabled || p.button !== 0 || document.activeElement === o.current || (r.current = { x: p.clientX, last: p.clientX, moved: !1 }, o.current?.setPointerCapture(p.pointerId), p.preventDefault());
-  }, u = (p) => {
+  }, c = (p) => {
     let m = r.current;
     !m || !e.scrub || !m.moved && Math.abs(p.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((p.clientX - m.last) * (e.step ?? 1) * (p.shiftKey ? 0.1 : p.altKey ? 10 : 1)), m.last = p.clientX);
-  }, c = (p) => {
+  }, u = (p) => {
     let m = r.current;
     r.current = null, m && (m.moved ? p.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
   };
-  return s("span", { class: `field ${n.value ? "wrong" : ""} ${e.scrub ? "scrubs" : ""}`, children: [
-    s(
+  return l("span", { class: `field ${n.value ? "wrong" : ""} ${e.scrub ? "scrubs" : ""}`, children: [
+    l(
       "input",
       {
         ref: o,
@@ -1976,158 +1884,158 @@ function gt(e) {
         onBlur: () => {
           a(), n.value && (t.value = null, setTimeout(() => n.value = null, 4e3));
         },
-        onKeyDown: l,
+        onKeyDown: s,
         onPointerDown: d,
-        onPointerMove: u,
-        onPointerUp: c,
-        onPointerCancel: c
+        onPointerMove: c,
+        onPointerUp: u,
+        onPointerCancel: u
       }
     ),
-    n.value && s("span", { class: "why", role: "alert", id: `${e.id ?? e.label}-why`.replace(/\s/g, "-"), children: n.value })
+    n.value && l("span", { class: "why", role: "alert", id: `${e.id ?? e.label}-why`.replace(/\s/g, "-"), children: n.value })
   ] });
 }
 
 // src/icon.tsx
-function j({ name: e }) {
-  return s("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: s("use", { href: `icons.svg#${e}` }) });
+function G({ name: e }) {
+  return l("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: l("use", { href: `icons.svg#${e}` }) });
 }
 
 // src/menu.tsx
-function Wt({ id: e, label: t, title: n, children: o }) {
+function qt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
-    let l = document.getElementById(e), d = a.getBoundingClientRect();
-    l?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), l?.style.setProperty("top", `${d.bottom + 4}px`);
+    let s = document.getElementById(e), d = a.getBoundingClientRect();
+    s?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), s?.style.setProperty("top", `${d.bottom + 4}px`);
   };
-  return s(X, { children: [
-    s("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
-    s("div", { id: e, popover: "auto", class: "menu", children: o })
+  return l(X, { children: [
+    l("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
+    l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function Cr({ id: e, label: t }) {
-  let n = Sr(e), o = fa(e);
-  return s(
+function _r({ id: e, label: t }) {
+  let n = vr(e), o = aa(e);
+  return l(
     "button",
     {
       class: "item",
       "aria-disabled": n !== null,
       title: n ?? void 0,
       onClick: (r) => {
-        r.currentTarget.closest("[popover]")?.hidePopover(), Z(e);
+        r.currentTarget.closest("[popover]")?.hidePopover(), oe(e);
       },
       children: [
-        s("span", { children: t ?? o?.label }),
-        s("kbd", { children: o?.keys })
+        l("span", { children: t ?? o?.label }),
+        l("kbd", { children: o?.keys })
       ]
     }
   );
 }
 
 // src/bar.tsx
-var ya = {
+var ma = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function _a() {
-  let e = ut.value, t = st.value.undo, n = st.value.redo, o = lt.value, r = e.metered;
-  return s("header", { class: "bar", children: [
-    s(Wt, { id: "page-menu", label: s(j, { name: "menu" }), title: "Page", children: s(ae, { part: "PageItems" }) }),
-    s("h1", { title: o.file || ee.value?.file, children: [
-      ee.value?.name ?? "Lampyris",
-      s("i", { class: `dot ${o.state}`, role: "img", "aria-label": ya[o.state], title: `${ya[o.state]}${o.file ? `: ${o.file}` : ""}` })
+function ha() {
+  let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
+  return l("header", { class: "bar", children: [
+    l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
+    l("h1", { title: o.file || J.value?.file, children: [
+      J.value?.name ?? "Lampyris",
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ma[o.state], title: `${ma[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
-    s("span", { class: "group", children: [
-      s("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => Z("undo"), children: s(j, { name: "undo" }) }),
-      s("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => Z("redo"), children: s(j, { name: "redo" }) })
+    l("span", { class: "group", children: [
+      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
+      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => oe("redo"), children: l(G, { name: "redo" }) })
     ] }),
-    s(Wt, { id: "view-menu", label: s(X, { children: [
+    l(qt, { id: "view-menu", label: l(X, { children: [
       "View ",
-      s(j, { name: "down" })
-    ] }), title: "View", children: s(ae, { part: "ViewItems" }) }),
-    s("span", { class: "group wide", children: [
-      s("button", { "aria-pressed": !1, onClick: () => Z("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
-      s("button", { onClick: () => Z("inside"), title: "Inside (Shift+0)", children: "Inside" })
+      l(G, { name: "down" })
+    ] }), title: "View", children: l(ee, { part: "ViewItems" }) }),
+    l("span", { class: "group wide", children: [
+      l("button", { "aria-pressed": !1, onClick: () => oe("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      l("button", { onClick: () => oe("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
-    s("span", { class: "gap" }),
-    s(Wt, { id: "seeing-menu", label: s(X, { children: [
+    l("span", { class: "gap" }),
+    l(qt, { id: "seeing-menu", label: l(X, { children: [
       "Picture ",
-      s(j, { name: "down" })
-    ] }), title: "Tone and white", children: s(ae, { part: "SeeingItems" }) }),
-    s("button", { "aria-pressed": e.false_color !== null, onClick: kr, title: "False colour (B)", children: "False colour" }),
-    s("button", { "aria-pressed": ve.value === "wipe", "aria-disabled": bn.value === null, onClick: () => Z("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
-    s("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      s("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => uo(1), children: s(j, { name: "minus" }) }),
-      s("label", { children: [
-        s("span", { "aria-hidden": "true", children: "EV" }),
-        s(gt, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Lt({ ev: i(e.ev ?? 0) }) })
+      l(G, { name: "down" })
+    ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: mr, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
+      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => ro(1), children: l(G, { name: "minus" }) }),
+      l("label", { children: [
+        l("span", { "aria-hidden": "true", children: "EV" }),
+        l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Tt({ ev: i(e.ev ?? 0) }) })
       ] }),
-      s("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => uo(-1), children: s(j, { name: "plus" }) }),
-      s("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => F({ do: "expose" }), children: s(j, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => ro(-1), children: l(G, { name: "plus" }) }),
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => D({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
     ] }),
-    s(
+    l(
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": Ae.value,
+        "aria-pressed": $e.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => Ae.value = !Ae.value,
-        children: s(j, { name: Ae.value ? "lock" : "unlock" })
+        onClick: () => $e.value = !$e.value,
+        children: l(G, { name: $e.value ? "lock" : "unlock" })
       }
     ),
-    me.value === "edit" && s("button", { class: "wide", onClick: () => ht.value = "share", children: "Share" }),
-    s("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ht.value = "help", children: s(j, { name: "help" }) }),
-    s("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ht.value = "palette", children: s(j, { name: "search" }) }),
-    s(
+    fe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
+    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(G, { name: "help" }) }),
+    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(G, { name: "search" }) }),
+    l(
       "button",
       {
         class: "icon narrow",
-        "aria-label": Ze.value === "inspector" ? "Lamps" : "Inspector",
-        title: Ze.value === "inspector" ? "Lamps" : "Inspector",
-        onClick: () => Ze.value = Ze.value === "inspector" ? "lamps" : "inspector",
-        children: s(j, { name: Ze.value === "inspector" ? "lamps" : "sliders" })
+        "aria-label": Ve.value === "inspector" ? "Lamps" : "Inspector",
+        title: Ve.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Ve.value = Ve.value === "inspector" ? "lamps" : "inspector",
+        children: l(G, { name: Ve.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
 }
 
 // src/highlight.ts
-function fo(e) {
-  Me.value = e, F({ do: "solo", lamps: e });
+function ao(e) {
+  we.value = e, D({ do: "solo", lamps: e });
 }
-function Er(e) {
-  let t = Me.peek(), n = e.every((o) => t.includes(o));
-  fo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+function yr(e) {
+  let t = we.peek(), n = e.every((o) => t.includes(o));
+  ao(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var yl = () => Er(re.peek()), Tr = () => fo([]), wn = null;
-function po(e) {
-  e && wn === null && re.peek().length ? (wn = Me.peek(), fo(re.peek())) : !e && wn !== null && (fo(wn), wn = null);
+var cl = () => yr(le.peek()), wr = () => ao([]), bn = null;
+function so(e) {
+  e && bn === null && le.peek().length ? (bn = we.peek(), ao(le.peek())) : !e && bn !== null && (ao(bn), bn = null);
 }
 
 // src/lights.ts
-var et = g(null), $r = () => {
-}, ka = () => {
+var Je = g(null), kr = () => {
+}, ga = () => {
 };
-function mo(e, t, n) {
-  ho(), et.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
+function lo(e, t, n) {
+  uo(), Je.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, va(n);
   let o = !0, r = 0;
-  ka = T(() => {
-    for (let [, i] of w.all()) ye(i);
+  ga = C(() => {
+    for (let [, i] of k.all()) Re(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = se(() => et.value);
-      i && wa(i.hit);
+      let i = ie(() => Je.value);
+      i && va(i.hit);
     }, 250);
   });
 }
-function wa(e) {
-  $r(), $r = Ee("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = et.peek();
-    n && (et.value = {
+function va(e) {
+  kr(), kr = xe("light", { point: e.point, normal: e.normal }, (t) => {
+    let n = Je.peek();
+    n && (Je.value = {
       ...n,
       lux: t.lux ?? n.lux,
       lamps: t.lamps ?? n.lamps,
@@ -2135,42 +2043,42 @@ function wa(e) {
     });
   });
 }
-function ho() {
-  $r(), ka(), et.value = null;
+function uo() {
+  kr(), ga(), Je.value = null;
 }
 
 // src/keys.ts
-var $a = g("W A S D"), Pr = {
+var Sa = g("W A S D"), xr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, _l = 1.8, Bt = /* @__PURE__ */ new Set(), vo = !1, go = 1, Lr = !1, Vr = 0;
-function Pa(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
-  if (Vr = e, !Bt.size) {
-    Lr = !1;
+}, fl = 1.8, jt = /* @__PURE__ */ new Set(), co = !1, fo = 1, Sr = !1, Mr = 0;
+function Ma(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Mr) / 1e3));
+  if (Mr = e, !jt.size) {
+    Sr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let l of Bt) {
-    let [d, u, c] = Pr[l];
-    n += d, o += u, r += c;
+  for (let s of jt) {
+    let [d, c, u] = xr[s];
+    n += d, o += c, r += u;
   }
-  let i = Math.max(1, Te(...Dt()) / 12), a = _l * t * go * Math.min(i, 6);
-  (n || o || r) && ia(n * a, o * a, r * a), requestAnimationFrame(Pa);
+  let i = Math.max(1, De(...Ht()) / 12), a = fl * t * fo * Math.min(i, 6);
+  (n || o || r) && oa(n * a, o * a, r * a), requestAnimationFrame(Ma);
 }
-function kn(e) {
-  Bt.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame(Pa));
+function _n(e) {
+  jt.add(e), !Sr && (Sr = !0, Mr = performance.now(), requestAnimationFrame(Ma));
 }
-var wl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function xa() {
+var pl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function ba() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var kl = {
+var dl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2190,14 +2098,14 @@ var kl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Sa = {
+}, _a = {
   b: "quantity",
   o: "park",
   i: "unsolo",
   l: "from-lamp",
   g: "grid",
   t: "aim-here"
-}, Ma = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ca = {
+}, ya = { Comma: "darker", Period: "brighter", Slash: "expose" }, wa = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2206,120 +2114,120 @@ var kl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function xl(e) {
+function ml(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function Sl() {
-  D.peek() ? D.value = null : et.peek() ? ho() : ve.peek() ? ve.value = null : E.peek() ? to() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function hl() {
+  z.peek() ? z.value = null : Je.peek() ? uo() : de.peek() ? de.value = null : E.peek() ? Yn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ea(e) {
+function ka(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ie()?.height ? jt(-t * 24, n * 24, 3) : e.shiftKey ? ro(qt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? eo(Ot(), -t * 0.05, n * 0.05) : Zn(-t * 0.06, n * 0.06), !0);
 }
-function Ta(e) {
-  let t = ie(), n = mt();
-  !t || !n || (t.height ? J(Qn(t, n, n.width / 2, n.height / 2, e)) : J(Yn(t, t.target, e, 0.3, !0)));
+function xa(e) {
+  let t = ne(), n = ft();
+  !t || !n || (t.height ? Q(Bn(t, n, n.width / 2, n.height / 2, e)) : Q(Wn(t, t.target, e, 0.3, !0)));
 }
-function Ml(e) {
+function vl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return Sl();
-  if (wl(e.target)) {
-    t && e.key.toLowerCase() === "k" && qe(e, "palette");
+  if (e.key === "Escape") return hl();
+  if (pl(e.target)) {
+    t && e.key.toLowerCase() === "k" && Oe(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (xa() && Ea(e)) return e.preventDefault();
-    let i = xl(e);
-    i && qe(e, i);
+    if (ba() && ka(e)) return e.preventDefault();
+    let i = ml(e);
+    i && Oe(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return qe(e, "back");
-    if (e.key === "ArrowRight") return qe(e, "forth");
-    if (i === "0") return qe(e, "store-view");
+    if (e.key === "ArrowLeft") return Oe(e, "back");
+    if (e.key === "ArrowRight") return Oe(e, "forth");
+    if (i === "0") return Oe(e, "store-view");
     if (i) {
       e.preventDefault();
-      let a = Ct.all()[Number(i) - 1];
-      a && J(a[1], a[1].name ?? "view");
+      let a = kt.all()[Number(i) - 1];
+      a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && qe(e, "unhide"), !(e.code in Pr)) return;
+    if (e.code === "KeyH" && Oe(e, "unhide"), !(e.code in xr)) return;
   }
-  let n = xa();
-  if (n && Ea(e)) return e.preventDefault();
-  if (n && e.code in Pr)
-    return go = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Ta(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Ta(1 / 0.85);
-  if (!lr.peek()) return;
-  if (e.shiftKey && Ca[e.code]) return qe(e, Ca[e.code]);
-  if (vo && /^\d$/.test(e.key)) {
-    e.preventDefault(), vo = !1;
-    let i = Et.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && lo({ do: "look", id: i, what: "recall", seconds: cr.peek() });
+  let n = ba();
+  if (n && ka(e)) return e.preventDefault();
+  if (n && e.code in xr)
+    return fo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, _n(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return xa(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return xa(1 / 0.85);
+  if (!Zo.peek()) return;
+  if (e.shiftKey && wa[e.code]) return Oe(e, wa[e.code]);
+  if (co && /^\d$/.test(e.key)) {
+    e.preventDefault(), co = !1;
+    let i = xt.ids.peek()[Number(e.key) - 1];
+    i !== void 0 && oo({ do: "look", id: i, what: "recall", seconds: tr.peek() });
     return;
   }
-  if (vo = e.key.toLowerCase() === "j", vo) return Q("Recall a look: now its digit.");
-  if (!e.shiftKey && /^\d$/.test(e.key) && re.peek().length) {
-    e.preventDefault(), wr.value = e.key;
+  if (co = e.key.toLowerCase() === "j", co) return ae("Recall a look: now its digit.");
+  if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
+    e.preventDefault(), dr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ma[e.code]) return qe(e, Ma[e.code]);
-  if (e.key === "\\") return void (e.repeat || yn(!0));
+  if (!e.shiftKey && e.key !== "?" && ya[e.code]) return Oe(e, ya[e.code]);
+  if (e.key === "\\") return void (e.repeat || hn(!0));
   let o = e.key.toLowerCase();
-  if (o === "l" && !e.shiftKey) return void (e.repeat || Z("highlight"));
-  if (o === "p" && e.shiftKey) return Cl();
-  let r = e.shiftKey && Sa[o] ? Sa[o] : kl[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && qe(e, r);
+  if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
+  if (o === "p" && e.shiftKey) return gl();
+  let r = e.shiftKey && _a[o] ? _a[o] : dl[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Oe(e, r);
 }
-function Cl() {
-  let [e, t] = ke.peek(), n = Ft(e / 2, t / 2);
-  n && Ee("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
+function gl() {
+  let [e, t] = be.peek(), n = Dt(e / 2, t / 2);
+  n && xe("point", n, (o) => o.hit && lo(e / 2, t / 2, o));
 }
-function qe(e, t) {
-  e.preventDefault(), Z(t);
+function Oe(e, t) {
+  e.preventDefault(), oe(t);
 }
-function El(e) {
-  Bt.delete(e.code), e.key === "\\" && yn(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (go = 1);
+function bl(e) {
+  jt.delete(e.code), e.key === "\\" && hn(!1), e.key.toLowerCase() === "l" && so(!1), e.key === "Shift" && (fo = 1);
 }
-function La() {
-  addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
-    Bt.clear(), po(!1), yn(!1);
+function Ca() {
+  addEventListener("keydown", vl), addEventListener("keyup", bl), addEventListener("blur", () => {
+    jt.clear(), so(!1), hn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Sa.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Tl(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Bt.delete(n);
-  go = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
+function _l(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
+  fo = Math.min(1, Math.hypot(e, t)), e > 0.2 && _n("KeyW"), e < -0.2 && _n("KeyS"), t < -0.2 && _n("KeyA"), t > 0.2 && _n("KeyD");
 }
 
 // src/levels.ts
-var Ir = (e) => Math.min(1, eo.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ar = (e) => {
-  let t = eo.peek() === "square" ? e * e : e;
+var Cr = (e) => Math.min(1, Xn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Er = (e) => {
+  let t = Xn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, $l = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.level ?? 0, bo = (e) => (e.kind === "lamp" ? w.get(e.id) : O.get(e.id))?.name ?? "";
-function Rr(e) {
-  let t = re.peek();
+}, yl = (e) => (e.kind === "lamp" ? k.get(e.id) : K.get(e.id))?.level ?? 0, po = (e) => (e.kind === "lamp" ? k.get(e.id) : K.get(e.id))?.name ?? "";
+function Tr(e) {
+  let t = le.peek();
   return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Va(e, t, n) {
+function Ea(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
-    let l = i === e.id ? t : o > 0 ? Math.min(10, a * (t / o)) : t;
-    r[i] = { level: Math.round(l * 1e3) / 1e3 };
+    let s = i === e.id ? t : o > 0 ? Math.min(10, a * (t / o)) : t;
+    r[i] = { level: Math.round(s * 1e3) / 1e3 };
   }
   return { lamps: r };
 }
-var xn = class {
+var yn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = $l(t), this.from = t.kind === "lamp" ? new Map(Rr(t).map((n) => [n, w.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ne(`${bo(t)} level`);
+    this.was = this.now = yl(t), this.from = t.kind === "lamp" ? new Map(Tr(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new We(`${po(t)} level`);
   }
   strip;
   gesture;
@@ -2327,82 +2235,82 @@ var xn = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Va(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ea(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? Qe([...this.from.keys()]) : bo(this.strip);
-    this.gesture.end(`${t} ${He(this.was)} → ${He(this.now)} %`);
+    let t = this.from.size > 1 ? Qn([...this.from.keys()]) : po(this.strip);
+    this.gesture.end(`${t} ${Ie(this.was)} → ${Ie(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function yo(e, t) {
-  let n = new Map(Rr(e).map((o) => [o, w.get(o)?.level ?? 0]));
-  Zo(`level ${e.kind} ${e.id}`, `${bo(e)} level`, Va(e, t, n));
+function mo(e, t) {
+  let n = new Map(Tr(e).map((o) => [o, k.get(o)?.level ?? 0]));
+  Uo(`level ${e.kind} ${e.id}`, `${po(e)} level`, Ea(e, t, n));
 }
-function Sn(e, t) {
+function Pr(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
-    let i = w.get(r);
+    let i = k.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${He(w.get(e[0])?.level ?? 0)} → ${He(n[e[0]].level)} %` : " level";
-  ce(`${Qe(e)}${o}`, { lamps: n });
+  })), o = e.length === 1 ? ` ${Ie(k.get(e[0])?.level ?? 0)} → ${Ie(n[e[0]].level)} %` : " level";
+  Te(`${Qn(e)}${o}`, { lamps: n });
 }
-function _o(e, t) {
-  let n = t(O.get(e)?.level ?? 0);
-  ce(`${O.get(e)?.name ?? "Group"} ${He(n)} %`, { groups: { [e]: { level: n } } });
+function $r(e, t) {
+  let n = t(K.get(e)?.level ?? 0);
+  Te(`${K.get(e)?.name ?? "Group"} ${Ie(n)} %`, { groups: { [e]: { level: n } } });
 }
-function wo(e, t) {
-  let n = `${bo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? ce(n, { groups: { [e.id]: { on: t } } }) : ce(n, { lamps: Object.fromEntries(Rr(e).map((o) => [o, { on: t }])) });
+function Lr(e, t) {
+  let n = `${po(e)} ${t ? "on" : "off"}`;
+  e.kind === "group" ? Te(n, { groups: { [e.id]: { on: t } } }) : Te(n, { lamps: Object.fromEntries(Tr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Ll = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Vl = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
-function Mn(e) {
+var wl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, kl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, xl = (e) => Math.round(255 * wl(Math.max(0, Math.min(1, e))));
+function Vr(e) {
   let t = Math.max(...e, 1e-6);
-  return Ia(e.map((n) => n / t));
+  return Ta(e.map((n) => n / t));
 }
-function Ia(e) {
-  return `#${e.map((t) => Vl(t).toString(16).padStart(2, "0")).join("")}`;
+function Ta(e) {
+  return `#${e.map((t) => xl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Il(e) {
-  let t = (n) => Ll(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Sl(e) {
+  let t = (n) => kl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Al = (e) => 1e6 / e;
+var Ml = (e) => 1e6 / e;
 
 // src/range.tsx
-var Aa = -1e9;
-addEventListener("scroll", () => Aa = performance.now(), { capture: !0, passive: !0 });
-var zt = (e) => Math.max(0, Math.min(1, e));
-function Hr(e) {
-  let t = oe(null), n = oe(null), o = e.notch ?? 0.01, r = (u) => {
-    if (u.button !== 0 || e.disabled) return;
-    let c = u.currentTarget.getBoundingClientRect(), p = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
-    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? zt(p) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(zt(p));
-  }, i = (u) => {
-    let c = n.current;
-    if (!c || c.id !== u.pointerId) return;
-    let p = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (p.height - 16) : (u.clientX - c.x) / (p.width - 12);
-    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(zt(c.at));
-  }, a = (u) => {
-    n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
-  }, l = (u) => {
-    if (u.key === "Escape" && n.current) {
-      n.current = null, e.cancel?.(), u.stopPropagation();
+var Pa = -1e9;
+addEventListener("scroll", () => Pa = performance.now(), { capture: !0, passive: !0 });
+var Ut = (e) => Math.max(0, Math.min(1, e));
+function Ir(e) {
+  let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
+    if (c.button !== 0 || e.disabled) return;
+    let u = c.currentTarget.getBoundingClientRect(), p = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
+    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(p) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(p));
+  }, i = (c) => {
+    let u = n.current;
+    if (!u || u.id !== c.pointerId) return;
+    let p = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (p.height - 16) : (c.clientX - u.x) / (p.width - 12);
+    u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(Ut(u.at));
+  }, a = (c) => {
+    n.current?.id === c.pointerId && (n.current = null, c.type === "pointercancel" ? e.cancel?.() : e.end?.());
+  }, s = (c) => {
+    if (c.key === "Escape" && n.current) {
+      n.current = null, e.cancel?.(), c.stopPropagation();
       return;
     }
-    let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], p = null;
-    c && (p = zt(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (p = 0), u.key === "End" && (p = 1), !(p === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(p));
-  }, d = (u) => {
-    if (performance.now() - Aa < 400 || u.ctrlKey) return;
-    u.preventDefault();
-    let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
-    c && e.on(zt(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
+    let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], p = null;
+    u && (p = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (p = 0), c.key === "End" && (p = 1), !(p === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(p));
+  }, d = (c) => {
+    if (performance.now() - Pa < 400 || c.ctrlKey) return;
+    c.preventDefault();
+    let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
+    u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
   };
-  return s(
+  return l(
     "input",
     {
       ref: t,
@@ -2416,34 +2324,34 @@ function Hr(e) {
       disabled: e.disabled,
       "aria-label": e.label,
       "aria-valuetext": e.text,
-      style: { "--t": zt(e.value), "--gradient": e.gradient ?? "" },
+      style: { "--t": Ut(e.value), "--gradient": e.gradient ?? "" },
       onPointerDown: r,
       onPointerMove: i,
       onPointerUp: a,
       onPointerCancel: a,
-      onMouseDown: (u) => u.preventDefault(),
-      onTouchStart: (u) => u.cancelable && u.preventDefault(),
-      onKeyDown: l,
+      onMouseDown: (c) => c.preventDefault(),
+      onTouchStart: (c) => c.cancelable && c.preventDefault(),
+      onKeyDown: s,
       onWheel: d,
       onDblClick: () => e.reset?.(),
-      onInput: (u) => {
-        n.current ? u.currentTarget.value = String(e.value) : e.on(Number(u.currentTarget.value));
+      onInput: (c) => {
+        n.current ? c.currentTarget.value = String(e.value) : e.on(Number(c.currentTarget.value));
       }
     }
   );
 }
 
 // src/faderrow.tsx
-function xo(e) {
+function $a(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var ko = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ra({ row: e, index: t, count: n }) {
-  let o = oe(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? w.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, l = i ?? a;
-  if (!l) return null;
-  let d = a?.lamps ?? [e.id], u = i ? i.flux : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * (w.get(b)?.level ?? 0), 0), c = i ? i.flux * ye(i) : d.reduce((y, b) => y + (w.get(b)?.flux ?? 0) * ye(w.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((y) => Me.value.includes(y)), f = Me.value.length > 0 && !d.some((y) => Me.value.includes(y)), _ = ne.value?.kind === e.kind && ne.value.id === e.id, k = `${p ? "selected" : ""} ${l.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${_ ? "under" : ""}`, S = {
-    begin: () => o.current = new xn(r),
+var Ar = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function La({ row: e, index: t, count: n }) {
+  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? k.get(e.id) : void 0, a = e.kind === "group" ? K.get(e.id) : void 0, s = i ?? a;
+  if (!s) return null;
+  let d = a?.lamps ?? [e.id], c = i ? i.flux : d.reduce((_, b) => _ + (k.get(b)?.flux ?? 0) * (k.get(b)?.level ?? 0), 0), u = i ? i.flux * Re(i) : d.reduce((_, b) => _ + (k.get(b)?.flux ?? 0) * Re(k.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((_) => we.value.includes(_)), f = we.value.length > 0 && !d.some((_) => we.value.includes(_)), y = pe.value?.kind === e.kind && pe.value.id === e.id, w = `${p ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${y ? "under" : ""}`, x = {
+    begin: () => o.current = new yn(r),
     end: () => {
       o.current?.end(), o.current = null;
     },
@@ -2451,251 +2359,200 @@ function Ra({ row: e, index: t, count: n }) {
       o.current?.cancel(), o.current = null;
     }
   };
-  return s(
+  return l(
     "div",
     {
-      class: `fader-row depth-${e.depth} ${e.kind} ${k}`,
+      class: `fader-row depth-${e.depth} ${e.kind} ${w}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => ne.value = null,
+      onPointerEnter: () => pe.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => pe.value = null,
       children: [
-        s("button", { class: "icon power", "aria-pressed": l.on, "aria-label": `${l.name} on`, title: l.on ? "On (O)" : "Off (O)", onClick: () => wo(r, !l.on), children: s(j, { name: "power" }) }),
-        s("div", { class: "top", children: [
-          a && s("button", { class: "icon fold", "aria-expanded": !bt.value.has(e.id), "aria-label": `Members of ${l.name}`, onClick: () => Ha(e.id), children: s(j, { name: bt.value.has(e.id) ? "right" : "down" }) }),
-          s("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${ko(i)}` : l.name, onClick: (y) => So(y, e.kind, e.id), children: [
-            s("span", { children: l.name }),
-            a && s("small", { children: d.length }),
-            i?.parked && s("small", { children: "parked" }),
-            i && !i.free && s("small", { class: "traced", title: ko(i), children: [
+        l("button", { class: "icon power", "aria-pressed": s.on, "aria-label": `${s.name} on`, title: s.on ? "On (O)" : "Off (O)", onClick: () => Lr(r, !s.on), children: l(G, { name: "power" }) }),
+        l("div", { class: "top", children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Va(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${Ar(i)}` : s.name, onClick: (_) => Rr(_, e.kind, e.id), children: [
+            l("span", { children: s.name }),
+            a && l("small", { children: d.length }),
+            i?.parked && l("small", { children: "parked" }),
+            i && !i.free && l("small", { class: "traced", title: Ar(i), children: [
               "↻",
-              s("span", { class: "spoken", children: "re-trace" })
+              l("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
-          i && s("span", { class: "tint", children: [
-            s("i", { class: "swatch", style: { background: Mn(i.swatch) } }),
-            xo(i)
+          i && l("span", { class: "tint", children: [
+            l("i", { class: "swatch", style: { background: Vr(i.swatch) } }),
+            $a(i)
           ] }),
-          s("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${l.name}`, title: "Solo (I)", onClick: () => Er(d), children: s(j, { name: "solo" }) })
+          l("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => yr(d), children: l(G, { name: "solo" }) })
         ] }),
-        s("div", { class: "bottom", children: [
-          s(
-            Hr,
+        l("div", { class: "bottom", children: [
+          l(
+            Ir,
             {
-              label: `${l.name} level`,
+              label: `${s.name} level`,
               class: "level",
-              value: Ir(l.level),
-              text: `${He(l.level)} %, ${Re(c)} lumen`,
+              value: Cr(s.level),
+              text: `${Ie(s.level)} %, ${Qe(u)} lumen`,
               notch: 0.01,
-              on: (y) => {
-                let b = Ar(y);
-                o.current ? o.current.to(b) : yo(r, b);
+              on: (_) => {
+                let b = Er(_);
+                o.current ? o.current.to(b) : mo(r, b);
               },
-              reset: () => yo(r, 1),
-              ...S
+              reset: () => mo(r, 1),
+              ...x
             }
           ),
-          s(
-            gt,
+          l(
+            gn,
             {
-              label: `${l.name} level, typed`,
+              label: `${s.name} level, typed`,
               quantity: "level",
-              value: l.level,
-              flux: u,
+              value: s.level,
+              flux: c,
               step: 0.01,
-              set: (y) => i ? Sn(p && re.peek().length > 1 ? re.peek() : [e.id], y) : _o(e.id, y)
+              set: (_) => i ? Pr(p && le.peek().length > 1 ? le.peek() : [e.id], _) : $r(e.id, _)
             }
           ),
-          s("span", { class: "lumens", children: _n(c, "flux") })
+          l("span", { class: "lumens", children: vn(u, "flux") })
         ] })
-      ]
-    }
-  );
-}
-
-// src/sheetrow.tsx
-function Oa() {
-  return s("div", { class: "sheet-row head", "aria-hidden": "true", children: [
-    s("span", {}),
-    s("span", { children: "Name" }),
-    s("span", { children: "Level" }),
-    s("span", { children: "lm" }),
-    s("span", { children: "White" })
-  ] });
-}
-function Ka({ row: e, index: t, count: n }) {
-  let o = e.kind === "lamp" ? w.get(e.id) : void 0, r = e.kind === "group" ? O.get(e.id) : void 0, i = o ?? r;
-  if (!i) return null;
-  let a = E.value?.kind === e.kind && E.value.ids.includes(e.id), l = o ? o.flux * ye(o) : (r?.lamps ?? []).reduce((u, c) => {
-    let p = w.get(c);
-    return u + (p ? p.flux * ye(p) : 0);
-  }, 0), d = ne.value?.kind === e.kind && ne.value.id === e.id;
-  return s(
-    "div",
-    {
-      class: `sheet-row depth-${e.depth} ${e.kind} ${a ? "selected" : ""} ${i.on ? "" : "off"} ${d ? "under" : ""}`,
-      role: "listitem",
-      "aria-setsize": n,
-      "aria-posinset": t + 1,
-      "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => ne.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => ne.value = null,
-      children: [
-        s("button", { class: "icon power", "aria-pressed": i.on, "aria-label": `${i.name} on`, onClick: () => wo(e, !i.on), children: s(j, { name: "power" }) }),
-        s("button", { class: "row-name", "aria-pressed": a, title: o ? ko(o) : void 0, onClick: (u) => So(u, e.kind, e.id), onDblClick: () => Z("frame"), children: s("span", { children: i.name }) }),
-        s(
-          gt,
-          {
-            label: `${i.name} level`,
-            quantity: "level",
-            value: i.level,
-            flux: o?.flux,
-            step: 0.01,
-            set: (u) => o ? Sn([e.id], u) : _o(e.id, u)
-          }
-        ),
-        s("span", { class: "lumens", children: Re(l) }),
-        o ? s("button", { class: "tint", "aria-label": `${i.name} colour: ${xo(o)}`, onClick: () => _e("lamp", e.id), children: [
-          s("i", { class: "swatch", style: { background: Mn(o.swatch) } }),
-          xo(o)
-        ] }) : s("span", {})
       ]
     }
   );
 }
 
 // src/virtual.tsx
-var Da = 4;
-function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = oe(null), l = it(0), d = it(600);
-  $e(() => {
+var Ia = 4;
+function Hr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = te(null), s = ot(0), d = ot(600);
+  Se(() => {
     let p = a.current, m = new ResizeObserver(() => d.value = p.clientHeight);
     return m.observe(p), () => m.disconnect();
-  }, []), $e(() => {
+  }, []), Se(() => {
     let p = a.current;
     if (!p || r === void 0 || r < 0) return;
     let m = r * t;
     (m < p.scrollTop || m + t > p.scrollTop + p.clientHeight) && (p.scrollTop = Math.max(0, m - p.clientHeight / 2));
   }, [r, t]);
-  let u = Math.max(0, Math.floor(l.value / t) - Da), c = Math.min(e, Math.ceil((l.value + d.value) / t) + Da);
-  return s("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => l.value = p.currentTarget.scrollTop, children: s("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: s("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (p, m) => n(u + m)) }) }) });
+  let c = Math.max(0, Math.floor(s.value / t) - Ia), u = Math.min(e, Math.ceil((s.value + d.value) / t) + Ia);
+  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => s.value = p.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (p, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var Mo = g(""), bt = g(/* @__PURE__ */ new Set()), Co = g("group"), Fa = G(() => {
-  let e = Mo.value.trim().toLowerCase(), t = (r) => {
-    let i = w.get(r);
-    return i ? !e || `${i.name} ${i.kind} ${O.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
+var ho = g(""), mt = g(/* @__PURE__ */ new Set()), vo = g("group"), Ra = q(() => {
+  let e = ho.value.trim().toLowerCase(), t = (r) => {
+    let i = k.get(r);
+    return i ? !e || `${i.name} ${i.kind} ${K.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
   };
-  if (Co.value !== "group" && Ht.value === "sheet") {
-    let r = Co.value, i = w.all().filter(([a]) => t(a));
-    return i.sort(([, a], [, l]) => r === "name" ? a.name.localeCompare(l.name, "en", { numeric: !0 }) : l[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
+  if (vo.value !== "group" && It.value === "sheet") {
+    let r = vo.value, i = k.all().filter(([a]) => t(a));
+    return i.sort(([, a], [, s]) => r === "name" ? a.name.localeCompare(s.name, "en", { numeric: !0 }) : s[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
   }
   let n = [], o = /* @__PURE__ */ new Set();
-  for (let [r, i] of O.all()) {
-    i.lamps.forEach((l) => o.add(l));
+  for (let [r, i] of K.all()) {
+    i.lamps.forEach((s) => o.add(s));
     let a = i.lamps.filter(t);
     if (a.length) {
       if (i.lamps.length === 1) {
         n.push({ kind: "lamp", id: a[0], depth: 0 });
         continue;
       }
-      n.push({ kind: "group", id: r, depth: 0 }), (!bt.value.has(r) || e) && a.forEach((l) => n.push({ kind: "lamp", id: l, depth: 1 }));
+      n.push({ kind: "group", id: r, depth: 0 }), (!mt.value.has(r) || e) && a.forEach((s) => n.push({ kind: "lamp", id: s, depth: 1 }));
     }
   }
-  for (let r of w.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
+  for (let r of k.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
   return n;
-}), Na = !1;
-O.ids.subscribe((e) => {
-  Na || !e.length || (Na = !0, w.ids.peek().length > 40 && (bt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
+}), Aa = !1;
+K.ids.subscribe((e) => {
+  Aa || !e.length || (Aa = !0, k.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (K.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ha(e) {
-  let t = new Set(bt.peek());
-  t.delete(e) || t.add(e), bt.value = t;
+function Va(e) {
+  let t = new Set(mt.peek());
+  t.delete(e) || t.add(e), mt.value = t;
 }
-function So(e, t, n) {
-  e.shiftKey ? ea(t, Fa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : _e(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Rr(e, t, n) {
+  e.shiftKey ? Qi(t, Ra.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Xe(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Rl(e) {
+function Cl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Hl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function qa() {
-  let e = Fa.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Ht.value === "sheet";
-  return s("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Rl, children: [
-    s("header", { class: "panel-head", children: [
-      s("h2", { children: [
+var El = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Ha() {
+  let e = Ra.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = It.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Cl, children: [
+    l("header", { class: "panel-head", children: [
+      l("h2", { children: [
         "Lamps ",
-        s("small", { children: B(w.ids.value.length) })
+        l("small", { children: B(k.ids.value.length) })
       ] }),
-      s("span", { class: "gap" }),
-      s("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        s("button", { "aria-pressed": !r, onClick: () => Ht.value = "faders", children: "Faders" }),
-        s("button", { "aria-pressed": r, onClick: () => Ht.value = "sheet", children: "Sheet" })
+      l("span", { class: "gap" }),
+      l("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
+        l("button", { "aria-pressed": !r, onClick: () => It.value = "faders", children: "Faders" }),
+        l("button", { "aria-pressed": r, onClick: () => It.value = "sheet", children: "Sheet" })
       ] })
     ] }),
-    s("div", { class: "panel-tools", children: [
-      s("span", { class: "field filter", children: s(
+    l("div", { class: "panel-tools", children: [
+      l("span", { class: "field filter", children: l(
         "input",
         {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: Mo.value,
-          onInput: (i) => Mo.value = i.currentTarget.value,
+          value: ho.value,
+          onInput: (i) => ho.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (Mo.value = "", i.stopPropagation());
+            i.key === "Escape" && (ho.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && s("select", { "aria-label": "Order", value: Co.value, onChange: (i) => Co.value = i.currentTarget.value, children: [
-        s("option", { value: "group", children: "by group" }),
-        s("option", { value: "name", children: "by name" }),
-        s("option", { value: "flux", children: "by flux" }),
-        s("option", { value: "level", children: "by level" })
+      r && l("select", { "aria-label": "Order", value: vo.value, onChange: (i) => vo.value = i.currentTarget.value, children: [
+        l("option", { value: "group", children: "by group" }),
+        l("option", { value: "name", children: "by name" }),
+        l("option", { value: "flux", children: "by flux" }),
+        l("option", { value: "level", children: "by level" })
       ] }),
-      s(Wt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Hl.map((i) => s(Cr, { id: i }, i)),
-        s("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
-          s("span", { children: "IES or LDT file…" }),
-          s("kbd", { children: "later" })
+      l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+        El.map((i) => l(_r, { id: i }, i)),
+        l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
+          l("span", { children: "IES or LDT file…" }),
+          l("kbd", { children: "later" })
         ] })
       ] })
     ] }),
-    re.value.length > 1 && s("p", { class: "several", children: [
-      re.value.length,
+    le.value.length > 1 && l("p", { class: "several", children: [
+      le.value.length,
       " selected; a fader moves them in proportion",
-      s("button", { onClick: () => Z("none"), children: "None" })
+      l("button", { onClick: () => oe("none"), children: "None" })
     ] }),
-    r && s(Oa, {}),
-    s(
-      Or,
+    r && l(ee, { part: "SheetHead" }),
+    l(
+      Hr,
       {
         label: "Lamps and groups",
         count: e.length,
-        height: r ? o ? 44 : 28 : o ? 84 : 50,
+        height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i];
-          return s(r ? Ka : Ra, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
+          let a = e[i], s = r ? gr("SheetRow") : La;
+          return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
     ),
-    !e.length && w.ids.value.length > 0 && s("p", { class: "quiet empty", children: "No lamp is called so." })
+    !e.length && k.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => Le.value?.stage ?? "loading"), Ol = G(() => {
-  let e = Le.value?.fps ?? 0;
-  return Kr.value === "moving" && e > 6 && Rt.value < 0.4 * e && Rt.value < 5;
-}), Gt = G(() => {
+var wn = g(null), Ze = g([]), kn = g(null), Dr = g(null), Kr = q(() => Ce.value?.stage ?? "loading"), Tl = q(() => {
+  let e = Ce.value?.fps ?? 0;
+  return Kr.value === "moving" && e > 6 && Vt.value < 0.4 * e && Vt.value < 5;
+}), Wt = q(() => {
   switch (U.value) {
     case "entering":
       return "starting";
@@ -2704,62 +2561,62 @@ var Cn = g(null), tt = g([]), En = g(null), Dr = g(null), Kr = G(() => Le.value?
     default:
       return U.value;
   }
-  return !ee.value || !W.value ? "loading" : lt.value.state === "failed" ? "unsaved" : Cn.value !== null ? "broken" : En.value !== null && !te.value.you ? "control-lost" : me.value === "watch" || !te.value.you ? "watching" : w.ids.value.length === 0 ? "no-lamps" : $i.value ? "all-off" : Ol.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
+  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !j.value.you ? "control-lost" : fe.value === "watch" || !j.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Ci.value ? "all-off" : Tl.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
 });
-Ce("event", (e) => {
+ke("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      Cn.value = null, tt.value = e.lost ?? [];
+      wn.value = null, Ze.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      Q(`The scene was read again: ${t} edits kept${tt.value.length ? `, ${tt.value.length} no longer find what they changed` : ""}.`);
+      ae(`The scene was read again: ${t} edits kept${Ze.value.length ? `, ${Ze.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
-      Cn.value = e.why ?? "The scene file cannot be read.";
+      wn.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      En.value = e.by ?? te.peek().name ?? "somebody else";
+      kn.value = e.by ?? j.peek().name ?? "somebody else";
       break;
     case "loading":
       Dr.value = e;
       break;
   }
 });
-Ce("refused", (e) => Q(e.why ?? "That could not be done.", "warn"));
-T(() => {
-  te.value.you && (En.value = null);
+ke("refused", (e) => ae(e.why ?? "That could not be done.", "warn"));
+C(() => {
+  j.value.you && (kn.value = null);
 });
 
 // src/probe.ts
-var Eo = g(null);
-function To(e, t, n) {
-  let o = Ft(e, t);
+var go = g(null);
+function bo(e, t, n) {
+  let o = Dt(e, t);
   if (!o) return n(null);
-  Ee("point", o, (r) => n(r.hit ? r : null));
+  xe("point", o, (r) => n(r.hit ? r : null));
 }
-function ja(e) {
+function Ka(e) {
   if (!e) return "";
-  let t = [], n = w.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = Mt.get(e.material)?.name;
-  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${vt(e.lux[0])} ±${vt(e.lux[1], !1)}`), e.luminance) {
-    let i = e.luminance[0] * (Ot.value === "fc" ? 0.2919 : 1);
-    t.push(`${Re(i)} ${Ot.value === "fc" ? "fL" : "cd/m²"}`);
+  let t = [], n = k.get(e.lamp)?.name, o = he.get(e.thing)?.name, r = wt.get(e.material)?.name;
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
+    let i = e.luminance[0] * (At.value === "fc" ? 0.2919 : 1);
+    t.push(`${Qe(i)} ${At.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var Ua = G(() => {
+var Da = q(() => {
   W.value;
   let e = [];
-  for (let t of le.sent.slice(-24)) {
+  for (let t of se.sent.slice(-24)) {
     if (t.what !== "set" && t.what !== "camera") continue;
-    let n = le.frames.find((o) => o.seq >= t.seq && o.painted);
+    let n = se.frames.find((o) => o.seq >= t.seq && o.painted);
     n && n.painted > t.at && e.push(n.painted - (t.input || t.at));
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Kl() {
-  let e = Le.value;
+function Pl() {
+  let e = Ce.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
@@ -2775,118 +2632,118 @@ function Kl() {
       return `finished${t}`;
   }
 }
-function Wa() {
-  let e = Le.value, t = W.value?.head, n = an.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
-  return s("footer", { class: "status", "aria-label": "Status", children: [
-    s("span", { class: `quality ${e?.stage ?? ""}`, children: [
-      s("i", { class: "thin", "aria-hidden": "true", children: s("b", { style: { width: `${o * 100}%` } }) }),
-      Kl()
+function Oa() {
+  let e = Ce.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+  return l("footer", { class: "status", "aria-label": "Status", children: [
+    l("span", { class: `quality ${e?.stage ?? ""}`, children: [
+      l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
+      Pl()
     ] }),
-    s("span", { children: [
+    l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    s("span", { children: U.value === "open" ? `${B(Rt.value)} fps` : "no line" }),
-    Ua.value !== null && s("span", { title: "From the hand to the paint, median", children: [
-      B(Ua.value),
+    l("span", { children: U.value === "open" ? `${B(Vt.value)} fps` : "no line" }),
+    Da.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(Da.value),
       " ms"
     ] }),
-    t && s("span", { children: [
+    t && l("span", { children: [
       t.width,
       " × ",
       t.height
     ] }),
-    s("span", { class: "wide", children: [
-      an.value.length,
+    l("span", { class: "wide", children: [
+      on.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    s("span", { class: "probe", "aria-live": "off", children: ja(Eo.value) }),
-    s("span", { class: "gap" }),
-    s("span", { children: te.value.you ? "editing: you" : `editing: ${te.value.name ?? "somebody else"}` }),
-    s("span", { class: "spoken", children: [
-      Jo.value ?? "",
+    l("span", { class: "probe", "aria-live": "off", children: Ka(go.value) }),
+    l("span", { class: "gap" }),
+    l("span", { children: j.value.you ? "editing: you" : `editing: ${j.value.name ?? "somebody else"}` }),
+    l("span", { class: "spoken", children: [
+      jo.value ?? "",
       " ",
-      Gt.value
+      Wt.value
     ] })
   ] });
 }
 
 // src/pointer.ts
-var Dl = 4, Ba = 35e-4, Nl = 0.15;
-function Fl(e, t, n) {
+var $l = 4, Fa = 35e-4, Ll = 0.15;
+function Vl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function za(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = qt(), r = 3, i = !1, a = 0, l = 0, d = 0, u = null, c = (h) => {
+function Na(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, s = 0, d = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
-  }, p = (h, v, $) => {
-    let P = Ft(h, v);
-    P && Ee("point", P, (L) => {
-      let I = L;
-      I.hit && $?.(I);
+  }, p = (h, v, T) => {
+    let P = Dt(h, v);
+    P && xe("point", P, ($) => {
+      let I = $;
+      I.hit && T?.(I);
     });
   }, m = (h) => {
-    let v = mt();
-    return v ? Math.max(0.2, K(A(h, v.eye), v.forward)) : r;
+    let v = ft();
+    return v ? Math.max(0.2, F(O(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = c(h), P = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Fl(Zn.peek(), h.button, L);
-    I === "look" && ie()?.height && (I = "pan"), D.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
+    let [v, T] = u(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Vl(Gn.peek(), h.button, $);
+    I === "look" && ne()?.height && (I = "pan"), z.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
-      y: $,
+      y: T,
       startX: v,
-      startY: $,
+      startY: T,
       moved: !1,
       motion: I,
       touch: P,
       shift: h.shiftKey,
-      ctrl: L.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = qt(), r = m(o), p(v, $, (H) => {
-      o = H.point, r = m(H.point);
-    })), clearTimeout(l), P && n.size === 1 && (l = window.setTimeout(() => {
-      let H = n.get(h.pointerId);
-      H && !H.moved && n.size === 1 && (H.moved = !0, H.motion = "none", t.menu(H.x, H.y));
-    }, 550)), n.size === 2 && (u = _()), h.button === 1 && h.preventDefault();
+      ctrl: $.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Ot(), r = m(o), p(v, T, (R) => {
+      o = R.point, r = m(R.point);
+    })), clearTimeout(s), P && n.size === 1 && (s = window.setTimeout(() => {
+      let R = n.get(h.pointerId);
+      R && !R.moved && n.size === 1 && (R.moved = !0, R.motion = "none", t.menu(R.x, R.y));
+    }, 550)), n.size === 2 && (c = y()), h.button === 1 && h.preventDefault();
   }
-  function _() {
+  function y() {
     let [h, v] = [...n.values()];
     return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
   }
-  function k(h) {
-    let v = n.get(h.pointerId), [$, P] = c(h);
+  function w(h) {
+    let v = n.get(h.pointerId), [T, P] = u(h);
     if (!v) {
       if (h.pointerType === "touch" || h.buttons) return;
-      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, P), 150);
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(T, P), 150);
       return;
     }
-    let [L, I] = [$ - v.x, P - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, P - v.startY) < Dl)) {
-      if (v.moved = !0, v.x = $, v.y = P, n.size === 2 && u) {
-        let H = _();
-        jt(H.x - u.x, H.y - u.y, r), H.gap > 8 && u.gap > 8 && b(H.x, H.y, u.gap / H.gap, !1), u = H;
+    let [$, I] = [T - v.x, P - v.y];
+    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < $l)) {
+      if (v.moved = !0, v.x = T, v.y = P, n.size === 2 && c) {
+        let R = y();
+        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && b(R.x, R.y, c.gap / R.gap, !1), c = R;
         return;
       }
-      if (D.peek() === "marquee" && v.button === 0) {
-        t.marquee([v.startX, v.startY], [$, P], !1);
+      if (z.peek() === "marquee" && v.button === 0) {
+        t.marquee([v.startX, v.startY], [T, P], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
-          let H = v.touch ? 1 : -1;
-          oo(H * L * Ba, H * I * Ba);
+          let R = v.touch ? 1 : -1;
+          Zn(R * $ * Fa, R * I * Fa);
           break;
         }
         case "orbit":
-          ro(o, -L * 6e-3, -I * 6e-3);
+          eo(o, -$ * 6e-3, -I * 6e-3);
           break;
         case "pan":
-          jt(L, I, r);
+          Ft($, I, r);
           break;
         case "dolly":
           b(v.startX, v.startY, Math.exp(I * 6e-3), !1);
@@ -2896,69 +2753,69 @@ function za(e, t) {
       }
     }
   }
-  function S(h) {
+  function x(h) {
     let v = n.get(h.pointerId);
-    if (n.delete(h.pointerId), clearTimeout(l), n.size < 2 && (u = null), !(!v || h.type === "pointercancel")) {
+    if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (c = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
-        D.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        z.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
         return;
       }
       if (v.touch) {
-        let $ = performance.now(), P = $ - d < 320;
-        if (d = $, P) return t.double();
-        if (Ae.peek()) return;
+        let T = performance.now(), P = T - d < 320;
+        if (d = T, P) return t.double();
+        if ($e.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
-        let $ = v.shift ? "add" : v.ctrl ? "toggle" : "only";
-        t.click(v.x, v.y, $);
+        let T = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, T);
       }
     }
   }
-  let y = null;
-  function b(h, v, $, P) {
-    let L = ie(), I = mt();
-    if (!L || !I) return;
-    if (L.height) return J(Qn(L, I, h, v, $));
-    let H = performance.now();
-    if (!y || H - y.time > 500 || Math.hypot(h - y.x, v - y.y) > 6) {
-      y = { x: h, y: v, time: H, point: null };
-      let _t = y;
-      p(h, v, (Ur) => {
-        _t.point = Ur.point, r = m(Ur.point);
+  let _ = null;
+  function b(h, v, T, P) {
+    let $ = ne(), I = ft();
+    if (!$ || !I) return;
+    if ($.height) return Q(Bn($, I, h, v, T));
+    let R = performance.now();
+    if (!_ || R - _.time > 500 || Math.hypot(h - _.x, v - _.y) > 6) {
+      _ = { x: h, y: v, time: R, point: null };
+      let vt = _;
+      p(h, v, (jr) => {
+        vt.point = jr.point, r = m(jr.point);
       });
     }
-    y.time = H;
-    let [os, rs] = [h - I.width / 2, I.height / 2 - v], is = Math.min(r, Te(L.eye, qt()) + 1), $o = (_t) => L.eye[_t] + (I.forward[_t] + I.side[_t] * os * I.pixel + I.up[_t] * rs * I.pixel) * is, jr = y.point ?? [$o(0), $o(1), $o(2)];
-    J(Yn(L, jr, $, Nl, P)), P && Te(L.eye, jr) < 0.5 && (y = null);
+    _.time = R;
+    let [Qa, Ja] = [h - I.width / 2, I.height / 2 - v], Za = Math.min(r, De($.eye, Ot()) + 1), _o = (vt) => $.eye[vt] + (I.forward[vt] + I.side[vt] * Qa * I.pixel + I.up[vt] * Ja * I.pixel) * Za, qr = _.point ?? [_o(0), _o(1), _o(2)];
+    Q(Wn($, qr, T, Ll, P)), P && De($.eye, qr) < 0.5 && (_ = null);
   }
-  function R(h) {
+  function A(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, P] = [h.deltaX * v, h.deltaY * v], [L, I] = c(h);
-    if (Zn.peek() === "trackpad" && !h.ctrlKey) return jt(-$, -P, r);
-    let H = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs($) ? P : $);
-    b(L, I, Math.exp(Math.max(-300, Math.min(300, H)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [T, P] = [h.deltaX * v, h.deltaY * v], [$, I] = u(h);
+    if (Gn.peek() === "trackpad" && !h.ctrlKey) return Ft(-T, -P, r);
+    let R = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs(T) ? P : T);
+    b($, I, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let V = (h) => h.preventDefault(), je = () => {
+  let L = (h) => h.preventDefault(), Fe = () => {
     clearTimeout(a), t.unhover();
-  }, Ue = (h) => {
-    !h.target.closest("[data-handle]") && D.peek() === null && t.double();
-  }, Se = (h) => {
+  }, Ne = (h) => {
+    !h.target.closest("[data-handle]") && z.peek() === null && t.double();
+  }, ye = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
-  }, ge = new ResizeObserver(() => {
+  }, me = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    ke.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    be.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ge.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", k), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", je), e.addEventListener("wheel", R, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ue), addEventListener("keydown", Se), addEventListener("keyup", Se), () => {
-    ge.disconnect(), removeEventListener("keydown", Se), removeEventListener("keyup", Se);
+  return me.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", w), e.addEventListener("pointerup", x), e.addEventListener("pointercancel", x), e.addEventListener("pointerleave", Fe), e.addEventListener("wheel", A, { passive: !1 }), e.addEventListener("contextmenu", L), e.addEventListener("dblclick", Ne), addEventListener("keydown", ye), addEventListener("keyup", ye), () => {
+    me.disconnect(), removeEventListener("keydown", ye), removeEventListener("keyup", ye);
   };
 }
 
 // src/overlay.ts
-var ql = "http://www.w3.org/2000/svg";
-function xe(e, t = {}, n) {
-  let o = document.createElementNS(ql, e);
+var Il = "http://www.w3.org/2000/svg";
+function _e(e, t = {}, n) {
+  let o = document.createElementNS(Il, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
@@ -2966,41 +2823,41 @@ var Fr = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = hn(t.width, t.height);
+    this.view = t, this.fit = dn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = pn(this.view, t);
+    let [n, o, r] = cn(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = pn(this.view, t), [, , r] = pn(this.view, n), i = 0.05, [a, l] = [t, n];
+    let [, , o] = cn(this.view, t), [, , r] = cn(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let c = (i - o) / (r - o), p = M(x(t, 1 - c), x(n, c));
-      o < i && (a = p), r < i && (l = p);
+      let u = (i - o) / (r - o), p = V(S(t, 1 - u), S(n, u));
+      o < i && (a = p), r < i && (s = p);
     }
-    let [d, u] = [this.at(a), this.at(l)];
-    return !d || !u ? "" : `M${d[0].toFixed(1)} ${d[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
+    let [d, c] = [this.at(a), this.at(s)];
+    return !d || !c ? "" : `M${d[0].toFixed(1)} ${d[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function qr() {
+function Nr() {
   let e = W.value;
-  return ke.value, e ? new Fr(It(e.camera, e.head.width, e.head.height)) : null;
+  return be.value, e ? new Fr($t(e.camera, e.head.width, e.head.height)) : null;
 }
-function Ga() {
-  let e = se(qr);
-  return e ? w.all().flatMap(([t, n]) => {
-    let o = Xa(n), r = o && e.at(o);
+function qa() {
+  let e = ie(Nr);
+  return e ? k.all().flatMap(([t, n]) => {
+    let o = ja(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Xa = ao, jl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Nr(e, t) {
-  let n = Vt(t);
-  return jl.map(([o, r]) => e.line(n[o], n[r])).join("");
+var ja = fr, Al = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Or(e, t) {
+  let n = Pt(t);
+  return Al.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Tn = class {
+var xn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -3014,70 +2871,70 @@ var Tn = class {
     let n = /* @__PURE__ */ new Set();
     for (let { id: o, at: r, label: i, state: a } of t) {
       n.add(o);
-      let l = this.marks.get(o);
-      if (!l) {
-        let d = xe("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+      let s = this.marks.get(o);
+      if (!s) {
+        let d = _e("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(d);
-        let u = xe("text", { x: 10, y: 4 }, d);
-        l = { group: d, label: u }, this.marks.set(o, l);
+        let c = _e("text", { x: 10, y: 4 }, d);
+        s = { group: d, label: c }, this.marks.set(o, s);
       }
       if (!r) {
-        l.group.setAttribute("display", "none");
+        s.group.setAttribute("display", "none");
         continue;
       }
-      l.group.removeAttribute("display"), l.group.setAttribute("transform", `translate(${r[0].toFixed(1)} ${r[1].toFixed(1)})`), l.group.setAttribute("class", `mark ${this.kind} ${a}`), l.label.textContent !== i && (l.label.textContent = i);
+      s.group.removeAttribute("display"), s.group.setAttribute("transform", `translate(${r[0].toFixed(1)} ${r[1].toFixed(1)})`), s.group.setAttribute("class", `mark ${this.kind} ${a}`), s.label.textContent !== i && (s.label.textContent = i);
     }
     for (let [o, r] of this.marks)
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Ya(e) {
-  let t = xe("path", { class: "aims" }, e), n = xe("path", { class: "boxes" }, e), o = xe("path", { class: "boxes hover" }, e), r = xe("path", { class: "grid-lines" }, e), i = new Tn(xe("g", {}, e), "lamp", (c) => xe("circle", { r: 4.5 }, c)), a = new Tn(xe("g", {}, e), "grid", () => {
-  }), l = new Tn(xe("g", {}, e), "meter", (c) => {
-    xe("circle", { r: 5.5 }, c), xe("path", { d: "M-9 0H9M0 -9V9" }, c);
-  }), d = T(() => {
-    let c = qr();
-    if (!c) return;
-    let p = E.value, m = ne.value, f = "", _ = "", k = w.all().map(([y, b]) => {
-      let R = p?.kind === "lamp" ? p.ids.includes(y) : p?.kind === "group" && p.ids.includes(b.group ?? -1), V = m?.kind === "lamp" ? m.id === y : m?.kind === "group" && m.id === b.group, je = Xa(b), Ue = b.place?.position;
-      if (R && b.box && (_ += Nr(c, b.box)), Ue && b.place?.direction && (R || V)) {
-        let h = b.place.aim ?? M(Ue, b.place.direction);
-        f += c.line(Ue, h);
+function Ua(e) {
+  let t = _e("path", { class: "aims" }, e), n = _e("path", { class: "boxes" }, e), o = _e("path", { class: "boxes hover" }, e), r = _e("path", { class: "grid-lines" }, e), i = new xn(_e("g", {}, e), "lamp", (u) => _e("circle", { r: 4.5 }, u)), a = new xn(_e("g", {}, e), "grid", () => {
+  }), s = new xn(_e("g", {}, e), "meter", (u) => {
+    _e("circle", { r: 5.5 }, u), _e("path", { d: "M-9 0H9M0 -9V9" }, u);
+  }), d = C(() => {
+    let u = Nr();
+    if (!u) return;
+    let p = E.value, m = pe.value, f = "", y = "", w = k.all().map(([_, b]) => {
+      let A = p?.kind === "lamp" ? p.ids.includes(_) : p?.kind === "group" && p.ids.includes(b.group ?? -1), L = m?.kind === "lamp" ? m.id === _ : m?.kind === "group" && m.id === b.group, Fe = ja(b), Ne = b.place?.position;
+      if (A && b.box && (y += Or(u, b.box)), Ne && b.place?.direction && (A || L)) {
+        let h = b.place.aim ?? V(Ne, b.place.direction);
+        f += u.line(Ne, h);
       }
-      let Se = R || V || ur.value && (b.own || b.place?.position), ge = `${R ? "selected" : ""} ${V ? "under" : ""} ${ye(b) ? "" : "off"}`;
-      return { id: y, at: je && Se ? c.at(je) : null, label: R || V ? b.name : "", state: ge };
+      let ye = A || L || er.value && (b.own || b.place?.position), me = `${A ? "selected" : ""} ${L ? "under" : ""} ${Re(b) ? "" : "off"}`;
+      return { id: _, at: Fe && ye ? u.at(Fe) : null, label: A || L ? b.name : "", state: me };
     });
-    if (i.draw(k), t.setAttribute("d", f), p?.kind === "thing")
-      for (let y of p.ids) {
-        let b = be.get(y)?.box;
-        b && (_ += Nr(c, b));
+    if (i.draw(w), t.setAttribute("d", f), p?.kind === "thing")
+      for (let _ of p.ids) {
+        let b = he.get(_)?.box;
+        b && (y += Or(u, b));
       }
-    n.setAttribute("d", _);
-    let S = m?.kind === "lamp" ? w.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", S ? Nr(c, S) : "");
-  }), u = T(() => {
-    let c = qr();
-    if (!c) return;
-    let p = E.value, m = (_, k) => p?.kind === _ && p.ids.includes(k) ? "selected" : "";
-    l.draw(Ke.all().map(([_, k]) => ({
-      id: _,
-      at: c.at(k.point),
-      label: k.lux ? vt(k.lux[0]) : "…",
-      state: m("meter", _)
+    n.setAttribute("d", y);
+    let x = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? he.get(m.id)?.box : null;
+    o.setAttribute("d", x ? Or(u, x) : "");
+  }), c = C(() => {
+    let u = Nr();
+    if (!u) return;
+    let p = E.value, m = (y, w) => p?.kind === y && p.ids.includes(w) ? "selected" : "";
+    s.draw(St.all().map(([y, w]) => ({
+      id: y,
+      at: u.at(w.point),
+      label: w.lux ? dt(w.lux[0]) : "…",
+      state: m("meter", y)
     })));
     let f = "";
-    a.draw(at.all().map(([_, k]) => {
-      f += Ul(c, k);
-      let S = k.mean === null ? "…" : `${k.name} ${vt(k.mean)}`;
-      return { id: _, at: c.at(k.corner), label: S, state: m("grid", _) };
+    a.draw(Dn.all().map(([y, w]) => {
+      f += Rl(u, w);
+      let x = w.mean == null ? "…" : `${w.name} ${dt(w.mean)}`;
+      return { id: y, at: u.at(w.corner), label: x, state: m("grid", y) };
     })), r.setAttribute("d", f);
   });
   return () => {
-    d(), u(), e.replaceChildren();
+    d(), c(), e.replaceChildren();
   };
 }
-function Ul(e, t) {
-  let n = (r, i) => M(t.corner, M(x(t.u, r), x(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+function Rl(e, t) {
+  let n = (r, i) => V(t.corner, V(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
       let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
@@ -3087,243 +2944,250 @@ function Ul(e, t) {
 }
 
 // src/banner.tsx
-function de({ tone: e, children: t }) {
-  return s("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
+function ce({ tone: e, children: t }) {
+  return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Qa = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Wl() {
-  let e = w.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = O.all().filter(([, n]) => !n.on || n.level === 0);
-  ce("All lamps on", {
+var Wa = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Hl() {
+  let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = K.all().filter(([, n]) => !n.on || n.level === 0);
+  Te("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Bl() {
-  switch (Gt.value) {
+function Kl() {
+  switch (Wt.value) {
     case "starting":
-      return s(de, { tone: "calm", children: "Entering…" });
+      return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
       let e = Dr.value;
-      return s(de, { tone: "calm", children: [
+      return l(ce, { tone: "calm", children: [
         "Reading ",
-        e?.file ?? ee.value?.file ?? "the scene",
+        e?.file ?? J.value?.file ?? "the scene",
         "…",
         e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
-        e?.progress != null && s("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
+        e?.progress != null && l("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
       ] });
     }
     case "lost":
-      return s(de, { tone: "warn", children: [
+      return l(ce, { tone: "warn", children: [
         "Connection lost, trying again",
-        un.value ? ` (${un.value} s)` : "…",
+        sn.value ? ` (${sn.value} s)` : "…",
         ". Until then nothing can be changed."
       ] });
     case "ended":
-      return s(de, { tone: "warn", children: [
-        "The program has ended. Start it again with ",
-        s("code", { children: Qa() }),
-        s("button", { onClick: () => {
-          xr(Qa());
-        }, children: "Copy" }),
-        " and this page comes back by itself."
+      return l(ce, { tone: "warn", children: [
+        l("span", { children: [
+          "The program has ended. Start it again with ",
+          l("code", { children: Wa() }),
+          ": this page comes back by itself."
+        ] }),
+        l("button", { onClick: () => {
+          hr(Wa());
+        }, children: "Copy" })
       ] });
     case "denied":
-      return s(de, { tone: "warn", children: "This link is not valid (any more). Open the one that the program has printed, or ask for a new one." });
+      return l(ce, { tone: "warn", children: "This link is not valid (any more). Open the one that the program has printed, or ask for a new one." });
     case "renewed":
-      return s(de, { tone: "warn", children: [
+      return l(ce, { tone: "warn", children: [
         "New version. ",
-        s("button", { onClick: () => location.reload(), children: "Reload" })
+        l("button", { onClick: () => location.reload(), children: "Reload" })
       ] });
     case "unsaved":
-      return s(de, { tone: "warn", children: [
+      return l(ce, { tone: "warn", children: [
         "Edits are not being saved: ",
-        lt.value.why ?? "unknown reason",
+        it.value.why ?? "unknown reason",
         ".",
-        s("button", { onClick: () => ht.value = "save", children: "Save elsewhere" })
+        l("button", { onClick: () => pt.value = "save", children: "Save elsewhere" })
       ] });
     case "broken":
-      return s(de, { tone: "warn", children: [
-        Cn.value,
+      return l(ce, { tone: "warn", children: [
+        wn.value,
         " Still showing what was read before."
       ] });
     case "control-lost":
-      return s(de, { tone: "warn", children: [
-        "Control moved to ",
-        s("em", { children: En.value }),
-        ". ",
-        s("button", { onClick: () => F({ do: "edit", what: "take" }), children: "Take it back" })
+      return l(ce, { tone: "warn", children: [
+        l("span", { children: [
+          "Control moved to ",
+          l("em", { children: kn.value }),
+          "."
+        ] }),
+        " ",
+        l("button", { onClick: () => D({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
-      return s(de, { tone: "calm", children: [
-        "You are watching",
-        te.value.name ? s(X, { children: [
-          "; ",
-          s("em", { children: te.value.name }),
-          " edits"
-        ] }) : "",
-        ".",
-        s("button", { onClick: () => F({ do: "edit", what: "take" }), children: "Ask for control" })
+      return l(ce, { tone: "calm", children: [
+        l("span", { children: [
+          "You are watching",
+          j.value.name ? l(X, { children: [
+            "; ",
+            l("em", { children: j.value.name }),
+            " edits"
+          ] }) : "",
+          "."
+        ] }),
+        l("button", { onClick: () => D({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
-      return s(de, { tone: "calm", children: [
+      return l(ce, { tone: "calm", children: [
         "This scene has no light. Add:",
-        s(
+        l(
           "button",
           {
             onClick: () => {
-              io.value = "disc", br("add");
+              ur.value = "disc", cr("add");
             },
             children: "ceiling lamp"
           }
         ),
-        s("button", { disabled: !0, title: "Photometric files come with a later version", children: "IES file" })
+        l("button", { disabled: !0, title: "Photometric files come with a later version", children: "IES file" })
       ] });
     case "all-off":
-      return s(de, { tone: "warn", children: [
+      return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        st.value.undo && s("button", { onClick: () => Z("undo"), children: "Undo" }),
-        s("button", { onClick: Wl, children: "Turn on" })
+        rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
+        l("button", { onClick: Hl, children: "Turn on" })
       ] });
     case "slow":
-      return s(de, { tone: "calm", children: [
+      return l(ce, { tone: "calm", children: [
         "Slow connection.",
-        s("button", { "aria-pressed": Ye.value, onClick: () => Ye.value = !0, children: "Sharper" }),
-        s("button", { "aria-pressed": !Ye.value, onClick: () => Ye.value = !1, children: "Faster" })
+        l("button", { "aria-pressed": Ge.value, onClick: () => Ge.value = !0, children: "Sharper" }),
+        l("button", { "aria-pressed": !Ge.value, onClick: () => Ge.value = !1, children: "Faster" })
       ] });
     default:
       return null;
   }
 }
-function Ja() {
-  let e = Me.value;
-  return s("div", { class: "banners", "data-scroll": !0, children: [
-    Bl(),
-    tt.value.length > 0 && s(de, { tone: "calm", children: [
-      s("details", { children: [
-        s("summary", { children: [
-          tt.value.length,
+function Ba() {
+  let e = we.value;
+  return l("div", { class: "banners", "data-scroll": !0, children: [
+    Kl(),
+    Ze.value.length > 0 && l(ce, { tone: "calm", children: [
+      l("details", { children: [
+        l("summary", { children: [
+          Ze.value.length,
           " edits no longer find what they changed"
         ] }),
-        s("ul", { children: tt.value.map((t) => s("li", { children: t }, t)) })
+        l("ul", { children: Ze.value.map((t) => l("li", { children: t }, t)) })
       ] }),
-      s("button", { onClick: () => tt.value = [], children: "Good" })
+      l("button", { onClick: () => Ze.value = [], children: "Good" })
     ] }),
-    e.length > 0 && s("div", { class: "banner badge", role: "status", children: [
+    e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
-      e.length === 1 ? w.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      s("button", { onClick: Tr, children: "End solo" })
+      e.length === 1 ? k.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      l("button", { onClick: wr, children: "End solo" })
     ] }),
-    s("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => s("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    l("div", { class: "notes", role: "status", "aria-live": "polite", children: st.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      s("button", { class: "icon", "aria-label": "Close", onClick: () => Go(t.id), children: s(j, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => Fo(t.id), children: l(G, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var es = g(null);
-function zl(e, t) {
-  let n = Ga();
+var Ga = g(null);
+function Dl(e, t) {
+  let n = qa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
-  return n.filter(({ at: l }) => l[0] >= o && l[0] <= r && l[1] >= i && l[1] <= a).map(({ id: l }) => l);
+  return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Gl = {
+var Ol = {
   click(e, t, n) {
-    let o = Za(e, t);
-    if (D.peek() === null && o) return _e(o.kind, o.id, n);
-    To(e, t, (r) => {
-      if (r && (no.value = { point: r.point, normal: r.normal }), D.peek() !== null) return sa(r);
-      na(r, n);
+    let o = za(e, t);
+    if (z.peek() === null && o) return Xe(o.kind, o.id, n);
+    bo(e, t, (r) => {
+      if (r && (Jn.value = { point: r.point, normal: r.normal }), z.peek() !== null) return ia(r);
+      Zi(r, n), E.peek() && (Ve.value = "inspector");
     });
   },
   menu(e, t) {
-    To(e, t, (n) => {
-      n && mo(e, t, n);
+    bo(e, t, (n) => {
+      n && lo(e, t, n);
     });
   },
   double() {
-    vr();
+    sr();
   },
   hover(e, t) {
-    let n = Za(e, t);
-    n?.kind === "lamp" && (ne.value = { kind: "lamp", id: n.id }), To(e, t, (o) => {
-      Eo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (ne.value = { kind: "lamp", id: o.lamp });
+    let n = za(e, t);
+    n?.kind === "lamp" && (pe.value = { kind: "lamp", id: n.id }), bo(e, t, (o) => {
+      go.value = o, o && (Jn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (pe.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
-    ne.peek() && (ne.value = null);
+    pe.peek() && (pe.value = null);
   },
   marquee(e, t, n) {
-    if (es.value = n ? null : { from: e, to: t }, !n) return;
-    let o = zl(e, t);
-    E.value = o.length ? { kind: "lamp", ids: o } : null, D.value = null;
+    if (Ga.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Dl(e, t);
+    E.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function Za(e, t) {
+function za(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
     if (!a) continue;
-    let l = Math.hypot(Number(a[1]) - e, Number(a[2]) - t);
-    l < r && (r = l, o = { kind: i.dataset.kind, id: Number(i.dataset.id) });
+    let s = Math.hypot(Number(a[1]) - e, Number(a[2]) - t);
+    s < r && (r = s, o = { kind: i.dataset.kind, id: Number(i.dataset.id) });
   }
   return o;
 }
-var Xl = {
+var Fl = {
   aim: "Click what shall be lit. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
   grid: "Click two opposite corners of the area. Esc to leave.",
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function ts() {
-  let e = oe(null), t = oe(null), n = oe(null);
-  return $e(() => {
-    or(t.current);
-    let o = Ya(n.current), r = za(e.current, Gl);
+function Xa() {
+  let e = te(null), t = te(null), n = te(null);
+  return Se(() => {
+    Go(t.current);
+    let o = Ua(n.current), r = Na(e.current, Ol);
     return () => {
-      or(null), o(), r();
+      Go(null), o(), r();
     };
-  }, []), Mi(() => {
+  }, []), ki(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
-  }), s("main", { class: "view", "aria-label": "View", children: [
-    s(
+  }), l("main", { class: "view", "aria-label": "View", children: [
+    l(
       "div",
       {
-        class: D.value ? "stage tooled" : "stage",
+        class: z.value ? "stage tooled" : "stage",
         id: "view",
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Nt.value ? `, ${Nt.value}` : ""}`,
+        "aria-label": `View of ${J.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
         "aria-describedby": "view-keys",
-        "data-tool": D.value ?? "",
+        "data-tool": z.value ?? "",
         children: [
-          s("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
-          s("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
-          s(ae, { part: "Gizmo" }),
-          s(ae, { part: "Compare" }),
-          s(Yl, {})
+          l("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
+          l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
+          l(ee, { part: "Gizmo" }),
+          l(ee, { part: "Compare" }),
+          l(Nl, {})
         ]
       }
     ),
-    s("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    D.value && s("p", { class: "hint", role: "status", children: Xl[D.value] }),
-    s(Ja, {}),
-    s(ae, { part: "Legend" }),
-    s(ae, { part: "CutBar" }),
-    s(ae, { part: "ViewStrip" }),
-    s(ae, { part: "WalkPad" }),
-    s(ae, { part: "What" })
+    l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
+    z.value && l("p", { class: "hint", role: "status", children: Fl[z.value] }),
+    l(Ba, {}),
+    l(ee, { part: "Legend" }),
+    l(ee, { part: "CutBar" }),
+    l(ee, { part: "ViewStrip" }),
+    l(ee, { part: "WalkPad" }),
+    l(ee, { part: "What" })
   ] });
 }
-function Yl() {
-  let e = es.value;
+function Nl() {
+  let e = Ga.value;
   if (!e) return null;
   let { from: t, to: n } = e;
-  return s("svg", { class: "rubber", "aria-hidden": "true", children: s(
+  return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
     "rect",
     {
       x: Math.min(t[0], n[0]),
@@ -3335,184 +3199,186 @@ function Yl() {
 }
 
 // src/main.tsx
-function Ql() {
-  return s(X, { children: [
-    s(_a, {}),
-    s(qa, {}),
-    s(ts, {}),
-    s("section", { class: "panel inspector", "aria-label": "Inspector", children: s(ae, { part: "Inspector" }) }),
-    s("section", { class: "strip", "aria-label": "Looks and meters", children: s(ae, { part: "Strip" }) }),
-    s(Wa, {}),
-    s(ae, { part: "Sheets" })
+function ql() {
+  return l(X, { children: [
+    l(ha, {}),
+    l(Ha, {}),
+    l(Xa, {}),
+    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
+    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
+    l(Oa, {}),
+    l(ee, { part: "Sheets" })
   ] });
 }
-var yt = document.getElementById("desk");
-yt.replaceChildren();
-oi(s(Ql, {}), yt);
-T(() => {
-  yt.dataset.state = Gt.value, yt.dataset.line = U.value, yt.dataset.pen = me.value === "edit" && te.value.you && !Ae.value ? "yes" : "no";
+var ht = document.getElementById("desk");
+ht.replaceChildren();
+ni(l(ql, {}), ht);
+C(() => {
+  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = fe.value === "edit" && j.value.you && !$e.value ? "yes" : "no";
 });
-T(() => {
-  yt.dataset.panels = sr.value ? "yes" : "no", yt.dataset.drawer = Ze.value ?? "none";
+C(() => {
+  ht.dataset.panels = Jo.value ? "yes" : "no", ht.dataset.drawer = Ve.value ?? "none";
 });
-T(() => {
-  document.documentElement.dataset.theme = rr.value, document.documentElement.style.setProperty("--house", String(ir.value));
+C(() => {
+  document.documentElement.dataset.theme = Xo.value, document.documentElement.style.setProperty("--house", String(Yo.value));
 });
-T(() => {
-  ee.value && (document.title = `${ee.value.name} – Lampyris`);
+C(() => {
+  J.value && (document.title = `${J.value.name} – Lampyris`);
 });
-var ns = 0;
-T(() => {
-  let [e, t] = ke.value, n = Ye.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value === "open" && (clearTimeout(ns), ns = window.setTimeout(() => F({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+var Ya = 0;
+C(() => {
+  let [e, t] = be.value, n = Ge.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value !== "open" || fe.value === "watch" || !j.value.you || (clearTimeout(Ya), Ya = window.setTimeout(() => D({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ha();
-La();
-Oi();
+ca();
+Ca();
+Ai();
 export {
-  xn as Fade,
-  gt as Field,
+  yn as Fade,
+  gn as Field,
   X as Fragment,
-  Ne as Gesture,
-  j as Icon,
-  Cr as Item,
-  Rs as PRESETS,
-  Hr as Range,
-  Or as Virtual,
-  pt as across,
-  Z as act,
-  M as add,
-  ua as addMeter,
-  io as adding,
-  la as aim,
-  pl as allActions,
-  Ee as ask,
-  Bs as back,
-  bn as before,
-  Ot as candles,
-  re as chosenLamps,
-  Tr as clearSolo,
-  ho as closeWhat,
-  lo as command,
-  yn as compareHeld,
-  ve as comparing,
-  Gi as compass,
-  G as computed,
-  nl as copyAlong,
-  xr as copyText,
-  fe as cross,
-  Mn as css,
-  Js as cut,
-  to as deselect,
+  We as Gesture,
+  G as Icon,
+  _r as Item,
+  Ls as PRESETS,
+  Ir as Range,
+  Hr as Virtual,
+  ut as across,
+  oe as act,
+  V as add,
+  ur as adding,
+  ol as allActions,
+  xe as ask,
+  qs as back,
+  mn as before,
+  At as candles,
+  le as chosenLamps,
+  wr as clearSolo,
+  uo as closeWhat,
+  $a as colorText,
+  oo as command,
+  hn as compareHeld,
+  de as comparing,
+  Wi as compass,
+  q as computed,
+  hr as copyText,
+  Ar as cost,
+  ve as cross,
+  Vr as css,
+  Gs as cut,
+  Yn as deselect,
   B as digits,
-  ut as display,
-  Te as distance,
-  K as dot,
-  al as each,
-  ce as edit,
-  te as editor,
-  T as effect,
-  uo as exposeBy,
-  cr as fade,
-  ll as falseColor,
-  Es as filterOf,
-  Ye as fine,
-  hn as fitted,
-  _n as format,
-  zs as forth,
-  vr as frameSelection,
-  Il as fromHex,
-  J as go,
-  gr as goHome,
-  Qs as goInside,
-  Ys as goPreset,
-  at as grids,
-  O as groups,
-  js as handles,
-  Zn as hands,
-  Ce as hear,
-  ie as here,
-  Ia as hex,
-  po as highlight,
-  st as history,
-  ir as houseLights,
-  ne as hovered,
-  s as jsx,
-  s as jsxs,
-  ur as lampMarks,
-  w as lamps,
-  an as layers,
-  Fe as length,
-  Ht as listing,
-  Ae as lookOnly,
-  Et as looks,
-  vt as luxText,
-  Fs as maintenance,
-  Mt as materials,
-  Ke as meters,
-  Ge as middle,
-  Al as mired,
-  ta as nameOf,
-  q as normal,
-  ye as output,
-  Tl as padWalk,
-  sr as panels,
-  He as percent,
-  It as pinhole,
-  rl as placed,
-  ao as positionOf,
-  il as positions,
-  pn as project,
-  As as ray,
-  fl as register,
-  ol as removeLamps,
-  me as role,
-  Q as say,
-  x as scale,
-  ee as scene,
-  _e as select,
+  at as display,
+  De as distance,
+  F as dot,
+  Qs as each,
+  Te as edit,
+  j as editor,
+  C as effect,
+  ro as exposeBy,
+  tr as fade,
+  Zs as falseColor,
+  ks as filterOf,
+  Ge as fine,
+  dn as fitted,
+  vn as format,
+  js as forth,
+  sr as frameSelection,
+  to as free,
+  Sl as fromHex,
+  Q as go,
+  lr as goHome,
+  zs as goInside,
+  Bs as goPreset,
+  Dn as grids,
+  K as groups,
+  Os as handles,
+  Gn as hands,
+  ke as hear,
+  ne as here,
+  Ta as hex,
+  so as highlight,
+  rt as history,
+  Yo as houseLights,
+  pe as hovered,
+  l as jsx,
+  l as jsxs,
+  er as lampMarks,
+  k as lamps,
+  on as layers,
+  Ke as length,
+  It as listing,
+  $e as lookOnly,
+  xt as looks,
+  dt as luxText,
+  Ks as maintenance,
+  wt as materials,
+  St as meters,
+  Be as middle,
+  Ml as mired,
+  Ji as nameOf,
+  Z as normal,
+  Ys as onTool,
+  Re as output,
+  _l as padWalk,
+  Jo as panels,
+  Ie as percent,
+  Rr as pickRow,
+  $t as pinhole,
+  fr as positionOf,
+  cn as project,
+  $s as ray,
+  nl as register,
+  fe as role,
+  ae as say,
+  S as scale,
+  J as scene,
+  Xe as select,
   E as selection,
-  F as send,
-  Zs as setCut,
-  ht as sheet,
-  Lt as show,
+  D as send,
+  Xs as setCut,
+  pt as sheet,
+  Tt as show,
   W as shown,
   g as signal,
-  lr as singleKeys,
-  yl as soloSelection,
-  ca as spacing,
-  no as spot,
-  br as startTool,
-  Le as status,
-  Us as stepSelection,
-  cl as storeLook,
-  ul as storeView,
-  Zo as stroke,
-  yo as strokeLevel,
-  A as sub,
-  rr as theme,
-  be as things,
-  Re as three,
-  Qe as titleOf,
-  Ar as toLevel,
-  Ir as toTravel,
-  kr as toggleFalse,
-  hl as toggleWipe,
-  D as tool,
-  eo as travel,
-  fn as turn,
-  Sn as typeLevel,
-  he as up,
-  $e as useEffect,
-  oe as useRef,
-  Nt as viewName,
-  ke as viewSize,
-  Ct as views,
-  $a as walkNames,
-  ar as walking,
-  wr as wantLevel,
-  et as what,
-  zn as whyNot,
-  Sr as whyNotTo,
-  dl as wipeAt
+  Zo as singleKeys,
+  cl as soloSelection,
+  Jn as spot,
+  cr as startTool,
+  Ce as status,
+  Ts as step,
+  Fs as stepSelection,
+  tl as storeLook,
+  el as storeView,
+  Uo as stroke,
+  mo as strokeLevel,
+  O as sub,
+  Lr as switchOn,
+  Xo as theme,
+  he as things,
+  Qe as three,
+  Qn as titleOf,
+  Er as toLevel,
+  Cr as toTravel,
+  mr as toggleFalse,
+  al as toggleWipe,
+  z as tool,
+  Xn as travel,
+  un as turn,
+  $r as typeGroupLevel,
+  Pr as typeLevel,
+  Le as up,
+  Se as useEffect,
+  us as useLayoutEffect,
+  te as useRef,
+  Kt as viewName,
+  be as viewSize,
+  kt as views,
+  Sa as walkNames,
+  Qo as walking,
+  dr as wantLevel,
+  Je as what,
+  jn as whyNot,
+  vr as whyNotTo,
+  rl as wipeAt
 };

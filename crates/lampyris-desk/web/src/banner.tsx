@@ -56,8 +56,8 @@ function words(): ComponentChildren {
         case 'ended':
             return (
                 <Strip tone="warn">
-                    The program has ended. Start it again with <code>{again()}</code>
-                    <button onClick={() => void copyText(again())}>Copy</button> and this page comes back by itself.
+                    <span>The program has ended. Start it again with <code>{again()}</code>: this page comes back by itself.</span>
+                    <button onClick={() => void copyText(again())}>Copy</button>
                 </Strip>
             );
         case 'denied':
@@ -84,13 +84,13 @@ function words(): ComponentChildren {
         case 'control-lost':
             return (
                 <Strip tone="warn">
-                    Control moved to <em>{taken.value}</em>. <button onClick={() => send({ do: 'edit', what: 'take' })}>Take it back</button>
+                    <span>Control moved to <em>{taken.value}</em>.</span> <button onClick={() => send({ do: 'edit', what: 'take' })}>Take it back</button>
                 </Strip>
             );
         case 'watching':
             return (
                 <Strip tone="calm">
-                    You are watching{editor.value.name ? <>; <em>{editor.value.name}</em> edits</> : ''}.
+                    <span>You are watching{editor.value.name ? <>; <em>{editor.value.name}</em> edits</> : ''}.</span>
                     <button onClick={() => send({ do: 'edit', what: 'take' })}>Ask for control</button>
                 </Strip>
             );

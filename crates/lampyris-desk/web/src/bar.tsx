@@ -42,7 +42,7 @@ export function Bar() {
                 <button onClick={() => act('inside')} title="Inside (Shift+0)">Inside</button>
             </span>
             <span class="gap" />
-            <Menu id="seeing-menu" label={<>Picture <Icon name="down" /></>} title="Tone and white"><Later part="SeeingItems" /></Menu>
+            <Menu id="seeing-menu" label={<>Picture <Icon name="down" /></>} title="Picture: tone, white, figures"><Later part="SeeingItems" /></Menu>
             <button aria-pressed={d.false_color !== null} onClick={toggleFalse} title="False colour (B)">False colour</button>
             <button aria-pressed={comparing.value === 'wipe'} aria-disabled={before.value === null} onClick={() => act('wipe')} title="Wipe between before and now (C); hold \ to see before">
                 Compare

@@ -1,7 +1,7 @@
 // What the second file takes from the first, name by name.
 
 export { computed, effect, signal } from '@preact/signals';
-export { useEffect, useRef } from 'preact/hooks';
+export { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 export { Fragment, jsx, jsxs } from 'preact/jsx-runtime';
 export {
     act, allActions, command, copyText, each, exposeBy, falseColor, register, sheet, storeLook, storeView,
@@ -9,13 +9,15 @@ export {
 } from './actions';
 export { before, compareHeld, comparing, toggleWipe, wipeAt } from './before';
 export { compass, pinhole, PRESETS, project, ray, type Pinhole, type Preset } from './camera';
+export { colorText, cost } from './faderrow';
 export { Field } from './field';
 export { shown } from './frames';
-export { edit, Gesture, show, stroke, whyNot } from './gesture';
+export { edit, Gesture, show, step, stroke, whyNot } from './gesture';
 export { clearSolo, highlight, soloSelection } from './highlight';
 export { Icon } from './icon';
 export { padWalk, walkNames } from './keys';
-export { Fade, strokeLevel, toLevel, toTravel, typeLevel, type Strip } from './levels';
+export { pickRow, type Row } from './lamps';
+export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLevel, type Strip } from './levels';
 export { closeWhat, what } from './lights';
 export { Item } from './menu';
 export {
@@ -28,18 +30,16 @@ export {
 export { Range } from './range';
 export { say } from './say';
 export {
-    chosenLamps, deselect, handles, hovered, nameOf, select, selection, spot, stepSelection, titleOf, tool,
+    chosenLamps, deselect, handles, hovered, nameOf, select, selection, spot, stepSelection, titleOf, tool, type Kind,
 } from './select';
 export {
     display, editor, filterOf, grids, groups, history, lamps, layers, looks, materials, meters, output, scene, status,
-    things, views,
+    things, views, type Slice,
 } from './store';
 export { css, fromHex, hex, mired } from './swatch';
+export { adding, free, onTool, positionOf, startTool } from './tools';
 export {
-    adding, addMeter, aim, copyAlong, placed, positionOf, positions, removeLamps, spacing, startTool,
-} from './tools';
-export {
-    type Camera, type Color, type ColorMode, type FalseColor, type Grid, type Id, type Lamp, type LampKind,
+    type Camera, type Color, type ColorMode, type FalseColor, type Grid, type Hit, type Id, type Lamp, type LampKind,
     type LinkEntry, type Material, type Meter, type Patch, type Place, type Share, type Thing, type Vec,
 } from './types';
 export { digits, format, luxText, percent, three, type Quantity } from './units';

@@ -136,7 +136,7 @@ hear('camera', (message) => {
         cameras.delete(number);
     }
 });
-hear('hello', () => {
+hear('line', () => {
     cameras.clear();
     waiting = null;
 });

@@ -8,7 +8,7 @@ import { groups, lamps } from './store';
 import type { Id } from './types';
 import { FaderRow } from './faderrow';
 import { Menu, Item } from './menu';
-import { SheetHead, SheetRow } from './sheetrow';
+import { Later, part } from './load';
 import { Virtual } from './virtual';
 import { digits } from './units';
 
@@ -131,16 +131,16 @@ export function Lamps() {
                     <button onClick={() => act('none')}>None</button>
                 </p>
             )}
-            {sheet && <SheetHead />}
+            {sheet && <Later part="SheetHead" />}
             <Virtual
                 label="Lamps and groups"
                 count={list.length}
-                height={sheet ? (coarse ? 44 : 28) : coarse ? 84 : 50}
+                height={sheet ? (coarse ? 44 : 28) : coarse ? 84 : 54}
                 show={shown}
                 row={(k) => {
                     const row = list[k];
-                    const Part = sheet ? SheetRow : FaderRow;
-                    return <Part key={`${row.kind}${row.id}`} row={row} index={k} count={list.length} />;
+                    const Part = sheet ? part('SheetRow') : FaderRow;
+                    return Part && <Part key={`${row.kind}${row.id}`} row={row} index={k} count={list.length} />;
                 }}
             />
             {!list.length && lamps.ids.value.length > 0 && <p class="quiet empty">No lamp is called so.</p>}

@@ -8,9 +8,12 @@ type Parts = typeof import('./later/index');
 const parts = signal<Parts | null>(null);
 let asked = false;
 
-/** A part of the second file, nothing as long as it is not there. */
-export function Later({ part }: { part: keyof Parts }) {
-    const Part = parts.value?.[part];
+/** A part of the second file, or nothing as long as it is not there. */
+export const part = <K extends keyof Parts>(name: K): Parts[K] | undefined => parts.value?.[name];
+
+/** The same, where it needs nothing to be shown. */
+export function Later({ part: name }: { part: Exclude<keyof Parts, 'SheetRow'> }) {
+    const Part = part(name);
     return Part ? <Part /> : null;
 }
 

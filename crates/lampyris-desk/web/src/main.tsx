@@ -56,7 +56,7 @@ let sized = 0;
 effect(() => {
     const [w, h] = viewSize.value;
     const by = fine.value ? Math.min(devicePixelRatio, 2) : 1;
-    if (line.value !== 'open') return;
+    if (line.value !== 'open' || role.value === 'watch' || !editor.value.you) return;
     clearTimeout(sized);
     sized = window.setTimeout(() => send({ do: 'size', width: Math.round(w * by), height: Math.round(h * by) }), 60);
 });

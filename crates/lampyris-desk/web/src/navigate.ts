@@ -7,7 +7,7 @@ import {
 } from './camera';
 import { shown } from './frames';
 import { walking } from './prefs';
-import { groups, lamps, meters, scene, things } from './store';
+import { editor, groups, lamps, meters, scene, things } from './store';
 import { selection } from './select';
 import type { Camera, Vec } from './types';
 import { add, corners, dot, middle, scale, sub } from './vec';
@@ -17,6 +17,8 @@ const EYE_HEIGHT = 1.6;
 
 /** Where the hand wants the eye to be; the frame shown may still lag behind. */
 export const camera = signal<Camera | null>(null);
+/** True for the one whose eye the program follows; all others see what that one sees. */
+const drives = computed(() => role.value === 'edit' && editor.value.you);
 export const up = computed<Vec>(() => scene.value?.up ?? [0, 0, 1]);
 /** Size of the view [CSS pixels]. */
 export const viewSize = signal<[number, number]>([640, 480]);
@@ -67,7 +69,7 @@ function swap(from: Camera[], to: Camera[]): void {
 /** Tells the program, at most once per animation frame and never what it knows. */
 effect(() => {
     const now = camera.value;
-    if (!now || line.value !== 'open' || role.value === 'watch' || due) return;
+    if (!now || line.value !== 'open' || !drives.value || due) return;
     due = true;
     requestAnimationFrame(() => {
         due = false;
@@ -86,7 +88,7 @@ effect(() => {
     const picture = shown.value;
     if (!picture) return;
     untracked(() => {
-        if (camera.peek() && role.peek() === 'edit') return;
+        if (camera.peek() && drives.peek()) return;
         told = picture.camera;
         camera.value = picture.camera;
         home ??= picture.camera;

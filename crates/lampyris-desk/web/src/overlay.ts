@@ -180,7 +180,7 @@ export function overlayOn(svg: SVGSVGElement): () => void {
         let mesh = '';
         gridMarks.draw(grids.all().map(([id, grid]: [Id, Grid]) => {
             mesh += gridPath(through, grid);
-            const label = grid.mean === null ? '…' : `${grid.name} ${luxText(grid.mean)}`;
+            const label = grid.mean == null ? '…' : `${grid.name} ${luxText(grid.mean)}`;
             return { id, at: through.at(grid.corner), label, state: state('grid', id) };
         }));
         gridLines.setAttribute('d', mesh);

@@ -106,10 +106,10 @@ export interface Look {
 
 export interface Meter {
     name: string;
-    kind: 'surface' | 'horizontal' | 'vertical' | 'camera';
+    kind: 'surface' | 'horizontal' | 'vertical' | 'cylindrical' | 'camera';
     point: Vec;
     normal: Vec;
-    lux: Measured | null;
+    lux?: Measured | null;
 }
 
 export interface Grid {
@@ -120,13 +120,15 @@ export interface Grid {
     normal: Vec;
     columns: number;
     rows: number;
-    lux: (number | null)[];
-    mean: number | null;
-    min: number | null;
-    max: number | null;
-    uniformity: number | null;
-    error: number | null;
-    target: { lux: number; uniformity: number } | null;
+    /** Row by row, as far as it is known; so are the figures. */
+    lux?: (number | null)[];
+    mean?: number | null;
+    min?: number | null;
+    max?: number | null;
+    uniformity?: number | null;
+    /** ± of the mean [lx]. */
+    error?: number | null;
+    target?: { lux: number; uniformity: number } | null;
 }
 
 export interface FalseColor {
@@ -174,7 +176,7 @@ export interface History {
 
 export interface Saved {
     state: 'clean' | 'saved' | 'waiting' | 'failed';
-    file: string;
+    file: string | null;
     why?: string | null;
 }
 

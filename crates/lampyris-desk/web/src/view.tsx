@@ -11,6 +11,7 @@ import { hovered, select, selectHit, selection, spot, tool } from './select';
 import { scene } from './store';
 import type { Id } from './types';
 import { applyTool } from './tools';
+import { drawer } from './actions';
 import { openWhat } from './lights';
 import { Later } from './load';
 import { Banner } from './banner';
@@ -33,6 +34,7 @@ const clicks = {
             if (hit) spot.value = { point: hit.point, normal: hit.normal };
             if (tool.peek() !== null) return applyTool(hit);
             selectHit(hit, how);
+            if (selection.peek()) drawer.value = 'inspector';
         });
     },
     menu(x: number, y: number) {

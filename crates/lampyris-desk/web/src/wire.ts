@@ -156,6 +156,8 @@ function open(): void {
     fresh.binaryType = 'arraybuffer';
     let greeted = false;
     socket = fresh;
+    // Not of the wire: a new line begins, and numbers of the old one mean nothing any more.
+    listeners.get('line')?.forEach((listener) => listener({ is: 'line' }));
     fresh.onmessage = (event) => {
         if (fresh !== socket) return;
         if (typeof event.data !== 'string') {

@@ -1,13 +1,14 @@
 // Everything one can do, by name.
 
 import {
-    addMeter, adding, aim, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyAlong, copyText, deselect,
-    each, edit, exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
-    highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, removeLamps, say, scene, selection,
-    send, sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
-    toggleFalse, toggleWipe, travel, views, walking, whyNot,
-    type Action, type Camera, type Hands, type LampKind, type Preset,
+    adding, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
+    exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
+    highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, say, scene, selection, send,
+    sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
+    toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
+    type Preset,
 } from '../desk';
+import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
 const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
 

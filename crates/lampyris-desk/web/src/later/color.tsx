@@ -59,6 +59,7 @@ export function ColorPart() {
                     </div>
                     <Line
                         label=""
+                        name="Colour temperature, typed"
                         quantity="kelvin"
                         value={common(colors.map((c) => c.kelvin))}
                         step={50}
@@ -82,7 +83,7 @@ export function ColorPart() {
                             patch={(t) => each(ids, () => ({ tint: Math.round((t * 40 - 20) * 2) / 2 }))}
                         />
                     </div>
-                    <Line label="" quantity="number" value={common(colors.map((c) => c.tint))} step={1} set={(apply) => set('tint', (c) => ({ tint: Math.max(-50, Math.min(50, apply(c.tint))) }))} />
+                    <Line label="" name="Tint, typed" quantity="number" value={common(colors.map((c) => c.tint))} step={1} set={(apply) => set('tint', (c) => ({ tint: Math.max(-50, Math.min(50, apply(c.tint))) }))} />
                 </>
             )}
             {mode === 'rgb' && (

@@ -17,9 +17,9 @@ export function csv(): string {
     for (const [, g] of grids.all()) {
         lines.push([], ['grid', g.name], ['points', g.columns * g.rows]);
         const figures = { mean: g.mean, min: g.min, max: g.max };
-        for (const [name, value] of Object.entries(figures)) lines.push([name, value === null ? null : value * kept]);
+        for (const [name, value] of Object.entries(figures)) lines.push([name, value == null ? null : value * kept]);
         lines.push(['uniformity', g.uniformity], ['x [m]', 'y [m]', 'z [m]', 'lux']);
-        g.lux.forEach((lux, k) => {
+        (g.lux ?? []).forEach((lux, k) => {
             const [column, row] = [k % g.columns, Math.floor(k / g.columns)];
             const point = add(g.corner, add(scale(g.u, (column + 0.5) / g.columns), scale(g.v, (row + 0.5) / g.rows)));
             lines.push([...point.map((v) => v.toFixed(3)), lux === null ? null : lux * kept]);

@@ -5,17 +5,21 @@
 
 import { project, ray, type Pinhole } from '../desk';
 import type { Vec } from '../types';
-import { across, add, cross, distance, dot, length, normal, scale, sub, turn } from '../desk';
+import { across, add, cross, distance, dot, length, normal, scale, sub } from '../desk';
 
 export interface Target {
     position: Vec;
     direction: Vec | null;
+    /** Without a direction it may still be turned. */
+    turns: boolean;
     aim: Vec | null;
     mode: 'move' | 'turn';
 }
 export interface Hold {
     move(by: Vec): void;
     turn(direction: Vec, aim: Vec | null): void;
+    /** About an axis through where it stands [radians]. */
+    rotate(axis: Vec, by: number): void;
     end(): void;
     cancel(): void;
 }
@@ -90,7 +94,7 @@ export function mount(svg: SVGSVGElement, host: Host): Mounted {
         const size = reach(seen, p);
         const moving = now.mode === 'move';
         show([...arrows, ...planes, centre], moving && o !== null);
-        show(rings, !moving && o !== null && now.direction !== null);
+        show(rings, !moving && o !== null && now.turns);
         const aimed = now.aim ?? (now.direction ? add(p, scale(now.direction, 3 * size)) : null);
         show([aim], aimed !== null && o !== null);
         if (!o) {
@@ -157,7 +161,7 @@ export function mount(svg: SVGSVGElement, host: Host): Mounted {
             const step = follow(seen);
             const hold = host.hold(what);
             const first = rayAt(seen, e, box);
-            step(first, false, { ...hold, move: () => {}, turn: () => {} });
+            step(first, false, { ...hold, move: () => {}, turn: () => {}, rotate: () => {} });
             element.setPointerCapture(e.pointerId);
             element.classList.add('held');
             const move = (event: PointerEvent) => {
@@ -207,7 +211,6 @@ export function mount(svg: SVGSVGElement, host: Host): Mounted {
         drag(planes[k].group, 'move', () => inPlane(axis));
         drag(rings[k].group, 'turn', () => {
             const now = host.target.peek() as Target;
-            const direction = now.direction as Vec;
             const start: { at: Vec | null } = { at: null };
             return (at, snap, hold) => {
                 const p = onPlane(now.position, axis, at);
@@ -216,7 +219,7 @@ export function mount(svg: SVGSVGElement, host: Host): Mounted {
                 start.at ??= arm;
                 const angle = Math.atan2(dot(axis, cross(start.at, arm)), dot(start.at, arm));
                 const by = snapped(angle, NOTCH, snap);
-                hold.turn(normal(turn(direction, axis, by)), null);
+                hold.rotate(axis, by);
                 return `${((by * 180) / Math.PI).toFixed(1)}°`;
             };
         });
@@ -268,6 +271,6 @@ export function onPlane(from: Vec, axis: Vec, at: { origin: Vec; direction: Vec 
     const slope = dot(axis, at.direction);
     if (Math.abs(slope) < 1e-4 * length(axis)) return null;
     const t = dot(sub(from, at.origin), axis) / slope;
-    if (t < 0 || t > 1000) return null;
+    if (t < 0 || t > 1e6) return null;
     return add(at.origin, scale(at.direction, t));
 }

@@ -7,6 +7,7 @@ export { Gizmo } from './handles';
 export { Inspector } from './inspector';
 export { Legend } from './legend';
 export { Sheets } from './sheets';
+export { SheetHead, SheetRow } from './sheetrow';
 export { Strip } from './strip';
 export { PageItems, SeeingItems, ViewItems } from './menus';
 export { CutBar, ViewStrip } from './views';

@@ -1,11 +1,11 @@
 // The inspector of lamps: light, beam, place, what is done with them.
 
 import {
-    act, chosenLamps, copyAlong, dot, edit, format, groups, handles, Icon, lamps, layers, normal, output, percent, placed,
-    positionOf, positions, selection, signal, spot, sub, titleOf, tool, toLevel, toTravel, typeLevel, up, Fade, Field,
-    wantLevel, compass, add, scale, length, Range, strokeLevel, useRef,
-    type Lamp, type Place, type Strip, type Vec,
+    act, chosenLamps, dot, edit, format, groups, handles, Icon, lamps, layers, normal, output, percent, positionOf,
+    selection, signal, spot, sub, titleOf, tool, toLevel, toTravel, typeLevel, up, Fade, Field, wantLevel, compass,
+    add, scale, length, Range, strokeLevel, useRef, type Lamp, type Place, type Strip, type Vec,
 } from '../desk';
+import { copyAlong, placed, positions } from './tools';
 import { ColorPart } from './color';
 import { changed, common, Line, Name, Section, Triple } from './parts';
 

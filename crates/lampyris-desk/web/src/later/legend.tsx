@@ -96,7 +96,7 @@ export function Legend() {
         <aside class="legend" aria-label="Legend of false colour" data-scroll>
             <header>
                 <button
-                    aria-label={`Quantity: ${illuminance ? 'illuminance' : 'luminance'}`}
+                    aria-label={`${unit}: ${illuminance ? 'illuminance' : 'luminance'}, change`}
                     onClick={() => set(f, { quantity: illuminance ? 'luminance' : 'illuminance' })}
                 >
                     {unit}

@@ -1,11 +1,12 @@
 // Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
 
 import {
-    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, spacing, type Grid, type Meter,
+    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
 } from '../desk';
+import { spacing } from './tools';
 import { changed, Line, Name, Section, Triple } from './parts';
 
-const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['camera', 'toward the camera']];
+const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['cylindrical', 'cylindrical'], ['camera', 'toward the camera']];
 
 export function MeterInspector() {
     const id = selection.value?.ids[0] as number;
@@ -55,7 +56,7 @@ export function GridInspector() {
         const p = spacing(Math.max(length(grid.u), length(grid.v)));
         set('standard spacing', { columns: Math.max(1, Math.ceil(length(grid.u) / p)), rows: Math.max(1, Math.ceil(length(grid.v) / p)) });
     };
-    const figure = (name: string, value: number | null, text: (v: number) => string) => <><dt>{name}</dt><dd>{value === null ? '…' : text(value)}</dd></>;
+    const figure = (name: string, value: number | null | undefined, text: (v: number) => string) => <><dt>{name}</dt><dd>{value == null ? '…' : text(value)}</dd></>;
     const target = grid.target ?? { lux: 500, uniformity: 0.6 };
     return (
         <>
@@ -69,7 +70,7 @@ export function GridInspector() {
                         {figure('E max', grid.max, (v) => luxText(v * kept))}
                         {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2))}
                         {figure('U d = min / max', grid.max ? (grid.min ?? 0) / grid.max : null, (v) => digits(v, 2))}
-                        {figure('±', grid.error, (v) => `${digits(v * 100, 1)} %`)}
+                        {figure('± of Ē', grid.error, (v) => luxText(v * kept))}
                     </dl>
                 </Section>
                 <Section title="Target">

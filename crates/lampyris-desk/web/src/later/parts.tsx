@@ -19,6 +19,8 @@ export function common<T>(values: T[]): T | null {
 
 interface NumberLine {
     label: string;
+    /** What it is called where the label stands a line above. */
+    name?: string;
     quantity: Quantity;
     value: number | null;
     set: (apply: (old: number) => number) => void;
@@ -32,7 +34,7 @@ export function Line(props: NumberLine) {
     return (
         <label class="line">
             <span>{props.label}</span>
-            <Field {...props} />
+            <Field {...props} label={props.name ?? props.label} />
         </label>
     );
 }

@@ -2,7 +2,7 @@
 
 import {
     allActions, act, ask, command, copyText, digits, go, hear, lamps, say, select, send, sheet, shown, signal,
-    useEffect, useRef, walkNames, whyNotTo, type LinkEntry,
+    useEffect, useLayoutEffect, useRef, walkNames, whyNotTo, type LinkEntry,
 } from '../desk';
 import type { ComponentChildren } from 'preact';
 import { namedViews } from './actions';
@@ -11,7 +11,8 @@ import { qr } from './qr';
 
 function Sheet({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }) {
     const dialog = useRef<HTMLDialogElement>(null);
-    useEffect(() => {
+    // Before the next key: whoever types on at once types into it.
+    useLayoutEffect(() => {
         const element = dialog.current as HTMLDialogElement;
         const from = document.activeElement as HTMLElement | null;
         if (!element.open) element.showModal();

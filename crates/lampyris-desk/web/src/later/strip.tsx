@@ -104,17 +104,17 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
-                    const met = target && grid.mean !== null && grid.uniformity !== null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
+                    const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'grid' && selection.value.ids.includes(id)} onClick={() => select('grid', id)}>
-                                <span class="tint"><Icon name="grid" />{grid.name} {target && grid.mean !== null && <b class={met ? 'met' : 'missed'}>{met ? '✓' : '✗'}</b>}</span>
+                                <span class="tint"><Icon name="grid" />{grid.name} {target && grid.mean != null && <b class={met ? 'met' : 'missed'}>{met ? '✓' : '✗'}</b>}</span>
                                 <strong class={settling() ? 'unsettled' : ''}>
-                                    {grid.mean === null ? '…' : `Ē ${luxText(grid.mean * kept)}`}
+                                    {grid.mean == null ? '…' : `Ē ${luxText(grid.mean * kept)}${grid.error == null ? '' : ` ±${luxText(grid.error * kept, false)}`}`}
                                 </strong>
                                 <small>
-                                    U₀ {grid.uniformity === null ? '…' : digits(grid.uniformity, 2)} · {grid.min === null ? '…' : luxText(grid.min * kept, false)} to{' '}
-                                    {grid.max === null ? '…' : luxText(grid.max * kept, false)}
+                                    U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : luxText(grid.min * kept, false)} to{' '}
+                                    {grid.max == null ? '…' : luxText(grid.max * kept, false)}
                                     {target ? ` · wants ${luxText(target.lux)}, U₀ ${digits(target.uniformity, 2)}` : ''}
                                 </small>
                             </button>

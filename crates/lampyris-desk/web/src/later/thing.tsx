@@ -101,7 +101,7 @@ export function MaterialInspector() {
                 <span>{label}</span>
                 <Slide label={label} name={`${m.name}: ${label.toLowerCase()}`} value={m[field] as number} text={digits(m[field] as number, 2)} patch={(t) => ({ materials: { [id]: { [field]: Math.round(t * 1000) / 1000 } } })} />
             </div>
-            <Line label="" quantity="share" step={0.01} value={m[field] as number} set={(apply) => set(label.toLowerCase(), { [field]: Math.max(0, Math.min(1, apply(m[field] as number))) })} />
+            <Line label="" name={`${label}, typed`} quantity="share" step={0.01} value={m[field] as number} set={(apply) => set(label.toLowerCase(), { [field]: Math.max(0, Math.min(1, apply(m[field] as number))) })} />
         </>
     );
     return (
@@ -114,7 +114,7 @@ export function MaterialInspector() {
                         <span>{m.transmittance ? 'Transmittance' : 'Reflectance'}</span>
                         <Slide label={m.transmittance ? 'Transmittance' : 'Reflectance'} name={`${m.name}: ${m.transmittance ? 'transmittance' : 'reflectance'}`} value={rho} text={digits(rho, 2)} patch={(t) => ({ materials: { [id]: { [tone]: scaled(Math.min(0.95, t)) } } })} />
                     </div>
-                    <Line label="" quantity="share" step={0.01} value={Math.round(rho * 1e3) / 1e3} set={(apply) => set('reflectance', { [tone]: scaled(Math.min(0.98, apply(rho))) })} />
+                    <Line label="" name="Reflectance, typed" quantity="share" step={0.01} value={Math.round(rho * 1e3) / 1e3} set={(apply) => set('reflectance', { [tone]: scaled(Math.min(0.98, apply(rho))) })} />
                     <label class="line">
                         <span>Colour</span>
                         <input type="color" class="pick" aria-label="Colour" value={hex(color)} onChange={(e) => set('colour', { [tone]: fromHex(e.currentTarget.value) })} />

@@ -2,9 +2,10 @@
 // error. It gets better while it is open, and follows the lamps.
 
 import {
-    addMeter, aim, chosenLamps, closeWhat, digits, hovered, Icon, luxText, nameOf, select, useEffect, useRef, viewSize, what,
+    chosenLamps, closeWhat, digits, hovered, Icon, luxText, nameOf, select, useEffect, useRef, viewSize, what,
     type Share,
 } from '../desk';
+import { addMeter, aim } from './tools';
 
 const total = (s: Share): number => s.direct[0] + s.indirect[0] + s.caustic[0];
 const error = (s: Share): number => Math.hypot(s.direct[1], s.indirect[1], s.caustic[1]);

@@ -1,15 +1,9 @@
 // A lamp or a group as a line of the sheet.
 
-import { act } from './actions';
-import { colorText, cost } from './faderrow';
-import { Field } from './field';
-import { Icon } from './icon';
-import { switchOn, typeGroupLevel, typeLevel } from './levels';
-import { pickRow, type Row } from './lamps';
-import { hovered, select, selection } from './select';
-import { groups, lamps, output } from './store';
-import { css } from './swatch';
-import { three } from './units';
+import {
+    act, colorText, cost, css, Field, groups, hovered, Icon, lamps, output, pickRow, select, selection, switchOn, three, typeGroupLevel,
+    typeLevel, type Row,
+} from '../desk';
 
 export function SheetHead() {
     return (
