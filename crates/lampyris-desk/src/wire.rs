@@ -41,7 +41,7 @@ pub(crate) enum Do {
     Add { lamp: Box<Value> },
     Copy { lamps: Vec<u32>, count: u32, step: Vec3 },
     Remove { lamps: Vec<u32> },
-    End,
+    End { label: Option<String> },
     Cancel,
     Undo,
     Redo,
@@ -74,6 +74,7 @@ pub(crate) struct Look {
 #[serde(tag = "what", rename_all = "lowercase")]
 pub(crate) enum Question {
     Point { frame: u32, x: f32, y: f32 },
+    Ray { origin: Vec3, direction: Vec3 },
     Light { point: Vec3, normal: Vec3 },
     Command,
     Picture { format: String, width: u32, height: u32, batches: u32 },
@@ -153,7 +154,7 @@ impl Do {
                 Do::Copy { lamps, count, step }
             }
             "remove" => Do::Remove { lamps: field(&mut fields, "lamps")? },
-            "end" => Do::End,
+            "end" => Do::End { label: text(&mut fields, "label")? },
             "cancel" => Do::Cancel,
             "undo" => Do::Undo,
             "redo" => Do::Redo,
@@ -165,15 +166,7 @@ impl Do {
                 let seconds = if seconds.is_finite() { seconds.clamp(0.0, 3600.0) } else { 0.0 };
                 Do::Look { id, name: called.map(name).transpose()?, what, seconds }
             }
-            "save" => Do::Save {
-                name: fields
-                    .remove("name")
-                    .map(of::<Option<String>>)
-                    .transpose()?
-                    .flatten()
-                    .map(name)
-                    .transpose()?,
-            },
+            "save" => Do::Save { name: text(&mut fields, "name")? },
             "edit" => Do::Edit { take: field::<String>(&mut fields, "what")? == "take" },
             "links" => {
                 let Links { what, role, id } = all(fields)?;
@@ -228,6 +221,12 @@ fn of<T: for<'a> Deserialize<'a>>(value: Value) -> Result<T, String> {
 
 fn field<T: for<'a> Deserialize<'a>>(fields: &mut Map<String, Value>, name: &str) -> Result<T, String> {
     of(fields.remove(name).ok_or_else(|| format!("need {name}"))?).map_err(|e| format!("{name}: {e}"))
+}
+
+/// A name, if there is one.
+fn text(fields: &mut Map<String, Value>, field: &str) -> Result<Option<String>, String> {
+    let named: Option<String> = fields.remove(field).map_or(Ok(None), of)?;
+    named.map(name).transpose()
 }
 
 /// A name that is not too long and has no characters that are none.

@@ -195,6 +195,14 @@ impl Frame {
         sum(self.size(), terms.iter().map(|(term, color)| (term, *color)))
     }
 
+    /// One pixel of [`Frame::mean`], to rounding; `None` outside of the picture.
+    pub fn at(&self, pixel: usize) -> Option<Rgb> {
+        let inside = pixel < self.width as usize * self.height as usize;
+        let of =
+            |layer: &Layer| layer.mean(1.0).fold(Rgb::BLACK, |sum, term| sum + term.at(pixel)) * layer.color;
+        inside.then(|| self.layers.iter().fold(Rgb::BLACK, |sum, layer| sum + of(layer)))
+    }
+
     /// The picture to show: of each layer the mean of the filtered batches, if they were, as long as the error of the mean
     /// itself would be visible. The one turns into the other by degrees. Layers whose lamps changed groups are held until
     /// they have caught up with what they were ([`Frame::progress`]).
