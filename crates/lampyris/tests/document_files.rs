@@ -89,6 +89,30 @@ fn earlier_edits_are_kept() {
     assert_eq!(desk("office.mgf.lampyris.json"), 2);
 }
 
+/// What somebody else writes there meanwhile, by hand or by going back to a version, is not lost either.
+#[test]
+fn another_hands_edits_are_kept() {
+    let folder = Folder::new();
+    let scene = put(&folder, "office.mgf");
+    let mut place = Place::claim(&plain(&scene).expect("a scene"), None).expect("room");
+    place.save(&Document::default()).expect("room");
+    drop(place);
+    let opened = plain(&beside(&scene)).expect("a document");
+    let mut place = Place::claim(&opened, None).expect("room");
+    assert_eq!(place.save(&cleared(&opened)).expect("room"), None, "it was opened");
+    for round in 1..4 {
+        let text =
+            format!("{{\"lampyris\": 1, \"scene\": {{\"file\": \"office.mgf\"}}, \"layers\": {round}}}");
+        std::fs::write(place.file(), &text).expect("room");
+        let kept = place.save(&cleared(&opened)).expect("room").expect("another hand's");
+        assert_eq!(kept, folder.0.join(format!("office.mgf.{round}.lampyris.json")));
+        assert_eq!(std::fs::read_to_string(kept).expect("a document"), text);
+        assert_eq!(place.save(&Document::default()).expect("room"), None);
+    }
+    std::fs::remove_file(place.file()).expect("a document");
+    assert_eq!(place.save(&Document::default()).expect("room"), None, "taken away is taken away");
+}
+
 #[test]
 fn one_program_writes_at_a_time() {
     let folder = Folder::new();

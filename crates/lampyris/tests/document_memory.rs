@@ -24,7 +24,12 @@ fn floods_take_little() {
         ("things", "\"objects\": {", Box::new(numbered), "}"),
         ("materials", "\"materials\": {", Box::new(numbered), "}"),
         ("emitters", "\"emitters\": [", Box::new(|_| "{\"share\":0}".into()), "]"),
-        ("groups", "\"groups\": [", Box::new(|_| "{\"name\":\"\",\"color\":{\"r\":1,\"g\":1,\"b\":1}}".into()), "]"),
+        (
+            "groups",
+            "\"groups\": [",
+            Box::new(|_| "{\"name\":\"\",\"color\":{\"r\":1,\"g\":1,\"b\":1}}".into()),
+            "]",
+        ),
         ("opened", "\"desk\": ", Box::new(|_| "[".into()), ""),
     ];
     for (name, before, item, after) in floods {
