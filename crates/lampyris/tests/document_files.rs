@@ -297,3 +297,46 @@ fn lost_edits_are_warnings() {
     assert_eq!(opened.warnings[0], "an edit is left out: light \"gone 0\" is not in the scene any more");
     assert_eq!(opened.warnings[20], "30 more edits are left out");
 }
+
+/// A program that is killed at any moment leaves a whole document, no older than the last that it had finished, and a place
+/// that the next one may claim.
+#[test]
+fn killed_programs_leave_whole_documents() {
+    const FOLDER: &str = "LAMPYRIS_TEST_SAVES_IN";
+    if let Some(folder) = std::env::var_os(FOLDER) {
+        let file = PathBuf::from(folder).join("office.mgf");
+        let document_file = beside(&file);
+        let opened = plain(if document_file.is_file() { &document_file } else { &file }).expect("whole");
+        let mut place = Place::claim(&opened, None).expect("the other one is dead");
+        let first = opened.document.desk["number"].as_u64().unwrap_or(0);
+        for number in first + 1.. {
+            let mut document = Document::default();
+            document.desk = serde_json::json!({"number": number, "long": "x".repeat(50_000)});
+            place.save(&document).expect("room");
+        }
+    }
+    let folder = Folder::new();
+    let file = beside(&put(&folder, "office.mgf"));
+    let number = || match file.is_file() {
+        true => plain(&file).expect("whole").document.desk["number"].as_u64().expect("a number"),
+        false => 0,
+    };
+    let mut last = 0;
+    for round in 0..30 {
+        let mut child = std::process::Command::new(std::env::current_exe().expect("this program"));
+        child.args(["--exact", "killed_programs_leave_whole_documents"]).env(FOLDER, &folder.0);
+        let mut child = child.stdout(std::process::Stdio::null()).spawn().expect("a process");
+        let start = std::time::Instant::now();
+        while number() == last {
+            assert!(start.elapsed().as_secs() < 60, "it does not save");
+        }
+        std::thread::sleep(std::time::Duration::from_micros(round * 1_700 % 13_000));
+        child.kill().expect("a process");
+        child.wait().expect("a process");
+        assert!(number() > last);
+        last = number();
+    }
+    let opened = plain(&file).expect("whole");
+    drop(Place::claim(&opened, None).expect("nobody has it"));
+    assert_eq!(names(&folder.0), ["office.mgf", "office.mgf.lampyris.json"]);
+}
