@@ -5,6 +5,7 @@ use crate::play::WINDOW;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 use lampyris::output::{Display, Exposure, ToneCurve};
+use std::net::IpAddr;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -47,6 +48,17 @@ Each line of the file is a meter: x y z nx ny nz [m; the normal of the side that
 Further columns, empty lines and lines that start with # are ignored. The error is half the
 95 % interval, in lux.";
 
+const VIEW_EXAMPLES: &str = "\
+Examples:
+  lampyris view room.mgf
+      prints a link and opens it, where there is a desktop
+  lampyris view room.mgf --no-open --port 8080
+      on a machine without one: open the link through a tunnel
+  lampyris view room.mgf --listen 192.168.1.7 --expose
+      for a tablet beside you; what is said is not encrypted
+
+Ctrl-C ends the desk; closing the page does not. The link holds a secret: who has it edits.";
+
 /// What a frame fixes.
 const FRAME_CONFLICTS: [&str; 13] = [
     "parts",
@@ -86,6 +98,9 @@ pub(crate) enum Command {
     /// Measure illuminance [lx] at points of a scene
     #[command(after_help = MEASURE_EXAMPLES)]
     Measure(Box<MeasureArgs>),
+    /// Open the lighting desk: a page in the browser in which to walk, and to move and dim the lamps
+    #[command(after_help = VIEW_EXAMPLES)]
+    View(Box<ViewerArgs>),
     /// Measure how fast this machine is
     Bench(BenchArgs),
     /// Say what is in a scene
@@ -183,6 +198,41 @@ pub(crate) struct PlayArgs {
     #[arg(long)]
     pub(crate) json: bool,
     /// Say nothing but errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ViewerArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Address to listen on
+    #[arg(long, value_name = "ADDR", default_value = "127.0.0.1")]
+    pub(crate) listen: IpAddr,
+    /// Port to listen on, 0 for a free one
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Listen even where other machines can reach it: what is said is not encrypted, and who reads along learns the links
+    #[arg(long)]
+    pub(crate) expose: bool,
+    /// Do not open the page
+    #[arg(long)]
+    pub(crate) no_open: bool,
+    /// End when the last page is closed
+    #[arg(long)]
+    pub(crate) exit_with_page: bool,
+    /// Width and height of the picture until a page says what it has room for [pixels]
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = parse::size)]
+    pub(crate) size: (u32, u32),
+    #[command(flatten)]
+    pub(crate) view: ViewArgs,
+    /// Batches after which a picture is finished
+    #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) batches: u32,
+    /// Threads that render [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) threads: Option<u32>,
+    /// Say nothing but the link and errors
     #[arg(long)]
     pub(crate) quiet: bool,
 }

@@ -12,6 +12,8 @@ pub(crate) const INTERRUPTED: u8 = 130;
 pub(crate) enum Failure {
     /// The library says it.
     Library(Error),
+    /// The desk says it.
+    Desk(lampyris_desk::Error),
     /// Standard output does not take what was asked for.
     Output(std::io::Error),
 }
@@ -24,7 +26,8 @@ impl Failure {
             Failure::Library(Error::BadInput { .. } | Error::CannotRead { .. }) => 3,
             Failure::Library(Error::CannotWrite { .. }) | Failure::Output(_) => 4,
             Failure::Library(Error::OverLimit { .. }) => 5,
-            Failure::Library(_) => 1,
+            Failure::Desk(lampyris_desk::Error::CannotListen { .. } | lampyris_desk::Error::Exposed(_)) => 2,
+            Failure::Library(_) | Failure::Desk(_) => 1,
         })
     }
 }
@@ -35,11 +38,21 @@ impl From<Error> for Failure {
     }
 }
 
+impl From<lampyris_desk::Error> for Failure {
+    fn from(error: lampyris_desk::Error) -> Failure {
+        match error {
+            lampyris_desk::Error::Library(error) => Failure::Library(error),
+            other => Failure::Desk(other),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             // One line, whatever a file's name holds.
             Failure::Library(error) => write!(f, "{}", error.to_string().replace(['\n', '\r'], " ")),
+            Failure::Desk(error) => error.fmt(f),
             Failure::Output(error) => write!(f, "cannot write to standard output: {error}"),
         }
     }

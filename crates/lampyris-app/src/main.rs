@@ -17,6 +17,7 @@ mod progress;
 mod render;
 mod say;
 mod scene_file;
+mod view;
 mod viewing;
 
 use clap::Parser;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::Render(args) => render::render(&args),
         Command::Play(args) => play::play(&args),
         Command::Measure(args) => measure::measure(&args),
+        Command::View(args) => view::view(*args),
         Command::Bench(args) => bench::bench(&args),
         Command::Info(args) => info::info(&args),
         Command::List(args) => list::list(&args),

@@ -18,20 +18,32 @@ const FOV_Y: f32 = 60.0;
 /// The camera for a picture of that aspect (width / height).
 pub(crate) fn choose(args: &ViewArgs, world: &World, aspect: f32) -> Result<Chosen, Failure> {
     let scene = world.scene();
-    let (mut camera, seen) = match (args.eye, args.target, &args.camera) {
-        (Some(eye), Some(target), _) => {
-            let up = args.up.unwrap_or_else(|| upward(scene));
-            (Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }, None)
-        }
-        (_, _, Some(name)) => (named(scene, name)?, None),
-        _ => match scene.view.as_ref().or(scene.cameras.first()) {
-            Some(camera) => (camera.clone(), None),
+    let (camera, seen) =
+        match asked(args, scene)?.or_else(|| scene.view.clone()).or_else(|| scene.cameras.first().cloned()) {
+            Some(camera) => (camera, None),
             None => {
                 let found = find_view(scene, &|ray| world.tracer().closest(ray), aspect);
                 (found.camera, Some(found.seen))
             }
-        },
+        };
+    Ok(Chosen { camera: turned(args, camera)?, seen })
+}
+
+/// The camera that the arguments ask for by its place or name, if they do.
+pub(crate) fn asked(args: &ViewArgs, scene: &Scene) -> Result<Option<Camera>, Failure> {
+    let camera = match (args.eye, args.target, &args.camera) {
+        (Some(eye), Some(target), _) => {
+            let up = args.up.unwrap_or_else(|| upward(scene));
+            Camera { name: "arguments".into(), eye, target, up, fov_y: FOV_Y }
+        }
+        (_, _, Some(name)) => named(scene, name)?,
+        _ => return Ok(None),
     };
+    turned(args, camera).map(Some)
+}
+
+/// The camera as the other arguments have it.
+fn turned(args: &ViewArgs, mut camera: Camera) -> Result<Camera, Failure> {
     camera.up = args.up.unwrap_or(camera.up);
     camera.fov_y = args.fov.unwrap_or(camera.fov_y);
     let axis = camera.target - camera.eye;
@@ -40,7 +52,7 @@ pub(crate) fn choose(args: &ViewArgs, world: &World, aspect: f32) -> Result<Chos
             "the view has no axis or no side: eye and target must differ, and up must not point along them";
         return Err(Error::BadSetting(text.into()).into());
     }
-    Ok(Chosen { camera, seen })
+    Ok(camera)
 }
 
 fn named(scene: &Scene, name: &str) -> Result<Camera, Error> {

@@ -2,37 +2,45 @@
 //!
 //! A tile's pixels are summed by one thread in a fixed order, so the picture does not know how many threads there are.
 
+mod begun;
 mod draw;
+mod film;
+mod question;
+
+pub use question::{Answer, Question, Reading, Shares};
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
 use crate::error::{Error, Result};
-use crate::eye::Eye;
+use crate::eye::{Eye, Meter};
 use crate::frame::Frame;
-use crate::integrator::{self, Integrator};
-use crate::particle::Plan;
 use crate::scene::{Edit, Scene};
 use crate::world::{Changes, World};
-use draw::Plane;
+use film::Film;
 
 /// All cores of this machine, or as many threads as one likes.
 pub struct Cpu {
     pool: rayon::ThreadPool,
     job: Option<Job>,
+    /// Counts the states of the world: who asked what lights a point asks anew in each.
+    state: u64,
 }
 
-/// What `begin` was given.
+/// Says whether a batch is still wanted.
+pub type GoOn<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// What `begin` was given, and what else looks at that world.
 struct Job {
     world: World,
-    eye: Eye,
-    settings: Settings,
-    plan: Plan,
-    integrators: Vec<&'static dyn Integrator>,
-    /// What integrators draw into.
-    planes: Vec<Plane>,
-    /// Of each integrator, which of them the light of first eye paths is drawn into, and which that of second ones.
-    planes_of: Vec<[usize; 2]>,
-    frame: Frame,
-    statistics: Statistics,
+    picture: Film,
+    sketch: Option<Film>,
+    meters: Option<Film>,
+}
+
+impl Job {
+    fn films(&mut self) -> impl Iterator<Item = (&World, &mut Film)> {
+        let Job { world, picture, sketch, meters } = self;
+        std::iter::once(picture).chain(sketch).chain(meters).map(|film| (&*world, film))
+    }
 }
 
 impl Cpu {
@@ -45,7 +53,7 @@ impl Cpu {
             .num_threads(threads.unwrap_or(0))
             .build()
             .map_err(|e| Error::BadSetting(format!("cannot start the threads: {e}; ask for fewer")))?;
-        Ok(Cpu { pool, job: None })
+        Ok(Cpu { pool, job: None, state: 0 })
     }
 
     /// Does something on the threads of this back end, [`World::new`] for instance.
@@ -55,50 +63,115 @@ impl Cpu {
 
     /// [`Backend::begin`] with a world that is already built, where a view had to be found in it first.
     pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
-        settings.check()?;
-        let integrators = integrator::select(&settings.parts)?;
-        let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-        // Either parts have planes of their own or light groups: both would be too many.
-        let apart = world.scene().groups.is_empty();
-        let (planes, planes_of) = Plane::deal(&integrators, apart);
-        let (width, height) = eye.size();
-        // Meters have no neighbours.
-        let filter = settings.filter && matches!(eye, Eye::Camera(_));
-        let settings = Settings { filter, ..settings.clone() };
-        let mut job = Job {
-            plan: Plan::new(&world, &settings),
-            frame: Frame::new(width, height, if apart { &names } else { &[] }, &settings, world.groups()),
-            planes,
-            planes_of,
-            statistics: Statistics::default(),
-            settings,
-            world,
-            eye,
-            integrators,
-        };
-        job.frame.set_mix(&job.world.mix());
-        self.job = Some(job);
+        let picture = Film::new(&world, eye, settings)?;
+        self.job = Some(Job { world, picture, sketch: None, meters: None });
+        self.state += 1;
         Ok(())
     }
 
-    /// Starts afresh in the world in use.
+    /// Starts the picture afresh in the world in use. Meters stay as they are.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] for settings that make no sense, and before `begin`; nothing is changed then.
     pub fn restart(&mut self, eye: Eye, settings: &Settings) -> Result<()> {
-        let world = self.job.take().ok_or_else(nothing)?.world;
-        self.begin_world(world, eye, settings)
+        let job = self.job()?;
+        job.picture = Film::new(&job.world, eye, settings)?;
+        Ok(())
     }
 
-    /// Starts all sums afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with the settings in use.
-    /// What the last batches showed stays as long as [`Settings::window`] says.
+    /// Sketches what an eye sees from now on, beside the picture and in the same world; `None` does not any more. A sketch has
+    /// batches and sums of its own, which edits renew as they do the picture's.
+    ///
+    /// # Errors
+    /// As [`Cpu::restart`].
+    pub fn sketch(&mut self, eye: Option<Eye>, settings: &Settings) -> Result<()> {
+        let job = self.job()?;
+        job.sketch = eye.map(|eye| Film::new(&job.world, eye, settings)).transpose()?;
+        Ok(())
+    }
+
+    /// The sketch as it stands.
+    pub fn sketched(&self) -> Option<&Frame> {
+        self.job.as_ref()?.sketch.as_ref().map(|film| &film.frame)
+    }
+
+    /// Adds a batch to the sketch, as long as `go_on` says ([`Cpu::add_while`]); false also where there is none.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn add_to_sketch(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, .. } = self;
+        let Job { world, sketch, .. } = job.as_mut().ok_or_else(nothing)?;
+        Ok(sketch.as_mut().is_some_and(|film| pool.install(|| film.add(world, batch, true, go_on))))
+    }
+
+    /// Measures at some points from now on, beside the picture and in the same world; `None` does not any more. Meters have
+    /// batches and sums of their own, which edits renew as they do the picture's.
+    ///
+    /// # Errors
+    /// As [`Cpu::restart`].
+    pub fn measure(&mut self, meters: Option<Vec<Meter>>, settings: &Settings) -> Result<()> {
+        let job = self.job()?;
+        let film = |meters| Film::new(&job.world, Eye::Meters(meters), settings);
+        job.meters = meters.map(film).transpose()?;
+        Ok(())
+    }
+
+    /// What the meters' sums are, row by row a pixel each: illuminance over π [lx].
+    pub fn meters(&self) -> Option<&Frame> {
+        self.job.as_ref()?.meters.as_ref().map(|film| &film.frame)
+    }
+
+    /// Adds a batch to the meters, as long as `go_on` says ([`Cpu::add_while`]); false also where there are none.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn add_to_meters(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, .. } = self;
+        let Job { world, meters, .. } = job.as_mut().ok_or_else(nothing)?;
+        Ok(meters.as_mut().is_some_and(|film| pool.install(|| film.add(world, batch, true, go_on))))
+    }
+
+    /// [`Cpu::let_go`] and [`Cpu::forget_begun`] for the meters.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn settle_meters(&mut self, batches: u32) -> Result<()> {
+        if let Some(film) = &mut self.job()?.meters {
+            film.forget_begun(batches);
+            film.frame.let_go();
+        }
+        Ok(())
+    }
+
+    /// Adds a batch to what is known of a question, as long as `go_on` says; false if it was given up, and then nothing is
+    /// changed. After an edit that changed any light it is the first.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`, and where the scene has very many lamps.
+    pub fn pursue(&mut self, question: &mut Question, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, state } = self;
+        let job = job.as_ref().ok_or_else(nothing)?;
+        pool.install(|| question.add(&job.world, *state, go_on))
+    }
+
+    /// What is known of a question, in the levels and colours that the lamps have now; nothing, where light has changed since it
+    /// was pursued last.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn answer(&self, question: &Question) -> Result<Answer> {
+        let job = self.job.as_ref().ok_or_else(nothing)?;
+        Ok(question.answer(&job.world, self.state))
+    }
+
+    /// Starts all sums, of meters too, afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with
+    /// the settings in use. What the last batches showed stays as long as [`Settings::window`] says.
     ///
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn renew(&mut self) -> Result<()> {
-        let job = self.job()?;
-        job.plan = Plan::new(&job.world, &job.settings);
-        (0..job.world.groups()).for_each(|group| job.frame.change(group));
-        job.frame.forget_first();
-        job.frame.set_mix(&job.world.mix());
-        job.statistics = Statistics::default();
+        self.job()?.films().for_each(|(world, film)| film.renew(world));
         Ok(())
     }
 
@@ -107,10 +180,40 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn show(&mut self, batch: Batch) -> Result<()> {
-        let Cpu { pool, job } = self;
+        self.render(batch, false, &|| true).map(drop)
+    }
+
+    /// [`Cpu::show`] as long as `go_on` says; see [`Cpu::add_while`].
+    ///
+    /// # Errors
+    /// As [`Cpu::show`].
+    pub fn show_while(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        self.render(batch, false, go_on)
+    }
+
+    /// [`Backend::add`] as long as `go_on` says, which threads ask before every tile; false if the batch was given up. Then
+    /// the first rows of its layers have it, each in its weight, and no count and no error knows of it: to add the same
+    /// batch again completes it. Light groups that an edit changes meanwhile begin anew, the others go on where they were,
+    /// and if another batch is added to them instead they begin anew as well.
+    ///
+    /// # Errors
+    /// As [`Backend::add`].
+    pub fn add_while(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
+        self.render(batch, true, go_on)
+    }
+
+    fn render(&mut self, batch: Batch, kept: bool, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, .. } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch, false));
-        Ok(())
+        Ok(pool.install(|| job.picture.add(&job.world, batch, kept, go_on)))
+    }
+
+    /// Light groups that have part of a batch, beside `batches` or more of them, begin anew.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn forget_begun(&mut self, batches: u32) -> Result<()> {
+        self.job().map(|job| job.picture.forget_begun(batches))
     }
 
     /// The world in use, once `begin` was called.
@@ -125,17 +228,11 @@ impl Cpu {
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
     pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
-        let Cpu { pool, job } = self;
+        let Cpu { pool, job, state } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         let changes = pool.install(|| job.world.apply(edit))?;
-        if !changes.groups.is_empty() {
-            job.plan = Plan::new(&job.world, &job.settings);
-        }
-        match edit {
-            Edit::Regroup { .. } => job.frame.regroup(&changes.groups),
-            _ => changes.groups.iter().for_each(|group| job.frame.change(*group)),
-        }
-        job.frame.set_mix(&job.world.mix());
+        job.films().for_each(|(world, film)| film.follow(world, edit, &changes));
+        *state += u64::from(changes.geometry || changes.materials || !changes.emitters.is_empty());
         Ok(changes)
     }
 
@@ -145,7 +242,7 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn let_go(&mut self) -> Result<()> {
-        self.job().map(|job| job.frame.let_go())
+        self.job().map(|job| job.picture.frame.let_go())
     }
 
     fn job(&mut self) -> Result<&mut Job> {
@@ -165,17 +262,14 @@ impl Backend for Cpu {
     }
 
     fn add(&mut self, batch: Batch) -> Result<()> {
-        let Cpu { pool, job } = self;
-        let job = job.as_mut().ok_or_else(nothing)?;
-        pool.install(|| job.add(batch, true));
-        Ok(())
+        self.render(batch, true, &|| true).map(drop)
     }
 
     fn frame(&mut self) -> Result<&Frame> {
-        self.job().map(|j| &j.frame)
+        self.job().map(|job| &job.picture.frame)
     }
 
     fn statistics(&self) -> Statistics {
-        self.job.as_ref().map(|j| j.statistics).unwrap_or_default()
+        self.job.as_ref().map(|job| job.picture.statistics).unwrap_or_default()
     }
 }

@@ -246,6 +246,7 @@ pub struct Contributing;
 
 mod atomic;
 pub mod backend;
+pub mod chromaticity;
 pub mod color;
 pub mod cpu;
 pub mod document;

@@ -230,9 +230,22 @@ fn groups_are_luminaires_then_materials() {
     let others = two.groups.iter().find(|g| g.name == "others").expect("a group");
     assert_eq!((two.groups.len(), others.color), (2, Rgb::WHITE));
     assert_eq!(names(&separated(room(5), 1)), ["others"]);
-    // Separating again changes nothing, nor does it where nothing shines.
+    // Separating again changes nothing; where nothing shines there is a group for what may be added.
     assert_eq!(separated(scene.clone(), 2).groups, scene.groups);
-    assert!(separated(room(0), 16).groups.is_empty());
+    assert_eq!(names(&separated(room(0), 16)), ["none"]);
+}
+
+/// A luminaire of several colours is one group all the same, and keeps them; its colour in the mix is a tint.
+#[test]
+fn a_luminaire_of_two_colours_is_one_group() {
+    let mut file = room(3);
+    file.lights[1].name = file.lights[0].name.clone();
+    let scene = separated(file.clone(), 16);
+    assert_eq!(scene.groups.len(), 2);
+    assert_eq!(scene.groups[0].color, Rgb::WHITE);
+    assert_eq!(scene.lights[0].kind, file.lights[0].kind);
+    assert_eq!(scene.lights[1].kind, file.lights[1].kind);
+    assert_ne!(scene.lights[2].kind, file.lights[2].kind);
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! How a batch is drawn: light first, then bands of tiles, each seen once for all layers, lit part by part, summed and shown.
 
-use super::Job;
+use super::GoOn;
+use super::begun::Begun;
+use super::film::Film;
 use crate::color::Rgb;
 use crate::eye::{Eye, Rect, Sampling, Tile};
-use crate::filter::{Filter, Glimpse, Seen};
+use crate::filter::{Filter, Glimpse};
 use crate::frame::{Auxiliary, Frame, Tiles};
 use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Lights, Pass};
@@ -11,6 +13,7 @@ use crate::particle::Walk;
 use crate::photon::Photons;
 use crate::sequence::{self, jittered_hammersley};
 use crate::settings::{Batch, Rays, Statistics};
+use crate::world::World;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -79,9 +82,8 @@ impl Plane {
 
 /// What all tiles of a batch share.
 struct Shared<'w> {
+    world: &'w World,
     batch: Batch,
-    /// Whether it is added to the sums, or only to what is shown.
-    kept: bool,
     /// The light groups that the batch is added to.
     groups: &'w [usize],
     /// Of each class, the light of these groups.
@@ -107,44 +109,63 @@ struct Summed {
 /// Tiles that are worked on together, at least, before they are summed: all threads are busy, and little waits.
 const TOGETHER: usize = 128;
 
-impl Job {
-    /// Adds a batch to the light groups that have the fewest, to all, unless some began anew; or only to what they show.
-    pub(super) fn add(&mut self, batch: Batch, kept: bool) {
-        let frame = &self.frame;
-        let fewest = frame.batches();
-        let groups: Vec<usize> =
-            (0..frame.layers()).filter(|group| frame.batches_of(*group) == fewest).collect();
-        let walks: Vec<Walk<'_>> = groups
-            .par_iter()
-            .map(|group| Walk::of_group(&self.world, &self.settings, &self.plan, batch, *group))
-            .collect();
-        // Meters hang in the air, where no photon stays: they take the oracle.
-        let useful = matches!(self.eye, Eye::Camera(_)) && self.world.bodies().make_caustics();
-        let photons = (useful && integrator::gather_photons(&self.integrators))
-            .then(|| Photons::new(&self.world, &self.settings, &groups, &walks, batch));
+impl Film {
+    /// Adds a batch to the light groups that have the fewest, to all, unless some began anew; or only to what they show. It
+    /// goes on as long as `go_on` says, which is asked before every tile; false if it was given up. The same batch then
+    /// completes it; for another one the groups that have part of it begin anew.
+    pub(super) fn add(&mut self, world: &World, batch: Batch, kept: bool, go_on: GoOn<'_>) -> bool {
+        if !go_on() {
+            return false;
+        }
+        let mut begun = self.begin(batch, kept);
+        let mut frame = std::mem::take(&mut self.frame);
         let mut statistics = self.statistics;
+        let done = self.light_and_draw(world, &mut begun, &mut frame, &mut statistics, go_on);
+        (self.frame, self.statistics) = (frame, statistics);
+        if done.is_none() {
+            self.give_up(begun);
+        }
+        done.is_some()
+    }
+
+    /// `None` if it was given up.
+    fn light_and_draw(
+        &self,
+        world: &World,
+        begun: &mut Begun,
+        frame: &mut Frame,
+        statistics: &mut Statistics,
+        go_on: GoOn<'_>,
+    ) -> Option<()> {
+        let (groups, batch) = (begun.groups.clone(), begun.batch);
+        let walk =
+            |group: &usize| go_on().then(|| Walk::of_layer(world, &self.settings, &self.plan, batch, *group));
+        let walks = groups.par_iter().map(walk).collect::<Option<Vec<Walk<'_>>>>()?;
+        // Meters hang in the air, where no photon stays: they take the oracle.
+        let useful = matches!(self.eye, Eye::Camera(_)) && world.bodies().make_caustics();
+        let useful = useful && integrator::gather_photons(&self.integrators);
+        if useful && !go_on() {
+            return None;
+        }
+        let photons = useful.then(|| Photons::new(world, &self.settings, &groups, &walks, batch));
         for walk in &walks {
             statistics.rays.particle += walk.rays;
             statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
         }
         statistics.rays.particle += photons.as_ref().map_or(0, |p| p.rays);
-        let lights = self.lights(&groups, &walks);
-        let shared = Shared { batch, kept, groups: &groups, lights, photons };
-        let mut frame = std::mem::take(&mut self.frame);
-        if kept {
+        let lights = self.lights(world, &groups, &walks);
+        if begun.kept && begun.bands == 0 {
             frame.begin(&groups);
         }
-        self.draw(&shared, &mut frame, &mut statistics);
-        drop(walks);
-        (self.frame, self.statistics) = (frame, statistics);
+        self.draw(&Shared { world, batch, groups: &groups, lights, photons }, begun, frame, statistics, go_on)
     }
 
     /// Of each class, the light of some groups.
-    fn lights<'w>(&self, groups: &[usize], walks: &'w [Walk<'w>]) -> Vec<Vec<Lights<'w>>> {
-        let mut shares = vec![0.0; self.world.groups()];
-        for (number, (emitter, share)) in (0..).zip(self.world.emitters().iter().zip(self.world.shares())) {
+    fn lights<'w>(&self, world: &World, groups: &[usize], walks: &'w [Walk<'w>]) -> Vec<Vec<Lights<'w>>> {
+        let mut shares = vec![0.0; self.plan.layers()];
+        for (number, (emitter, share)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
             // What is dark has no light paths either.
-            shares[self.world.group_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
+            shares[self.plan.layer_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
         }
         let of_class = |class: u32| {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
@@ -165,42 +186,50 @@ impl Job {
         (0..self.settings.classes()).map(of_class).collect()
     }
 
-    /// Draws a batch, some rows of tiles after the others, and adds it to a frame.
-    fn draw(&self, shared: &Shared<'_>, frame: &mut Frame, statistics: &mut Statistics) {
-        let (width, height) = self.eye.size();
+    /// Draws what is left of a batch, some rows of tiles after the others, and adds it to a frame; `None` if it was given up.
+    fn draw(
+        &self,
+        shared: &Shared<'_>,
+        begun: &mut Begun,
+        frame: &mut Frame,
+        statistics: &mut Statistics,
+        go_on: GoOn<'_>,
+    ) -> Option<()> {
+        let (width, _) = self.eye.size();
         let passes = self.settings.eye_passes();
         let replicate = shared.batch.index % self.settings.replicates;
         let rects = self.rects(shared.batch);
         let run = passes.div_ceil(PIECES.div_ceil(rects.len().max(1) as u32)).max(1);
-        // What the eye meets has nothing to do with light: it is noted once.
-        let new = |sums: &Auxiliary| sums.samples == frame.batches() * passes;
-        let note = shared.kept && frame.auxiliary().is_some_and(new);
-        let mut seen = self.settings.filter.then(|| Seen::new((width, height), shared.groups.len()));
+        let Begun { kept, note, .. } = *begun;
         let sampling = self.sampling(shared.batch, 0);
         let glows = self.integrators.iter().any(|i| i.name() == "emission");
         let layer_of = |emitter| {
-            let group = self.world.group_of(emitter);
+            let group = self.plan.layer_of(emitter);
             shared.groups.iter().position(|own| glows && *own == group)
         };
         let filter = Filter {
-            world: &self.world,
+            world: shared.world,
             eye: &self.eye,
             sampling,
             settings: &self.settings,
             layer_of: &layer_of,
         };
-        for band in bands(&rects) {
+        for band in bands(&rects).skip(begun.bands) {
             let pieces: Vec<(Rect, Range<u32>)> = band
                 .iter()
                 .flat_map(|rect| (0..passes).step_by(run as usize).map(|p| (*rect, p..passes.min(p + run))))
                 .collect();
-            let done: Vec<Summed> = pieces
+            let done = pieces
                 .par_iter()
                 .map_init(Default::default, |paths, (rect, numbers)| {
-                    self.render(paths, *rect, numbers.clone(), shared, note, &layer_of)
+                    go_on().then(|| self.render(paths, *rect, numbers.clone(), shared, note, &layer_of))
                 })
-                .collect();
-            if let (Some(seen), Some(first), Some(last)) = (&mut seen, band.first(), band.last()) {
+                .collect::<Option<Vec<Summed>>>()?;
+            begun.bands += 1;
+            begun.pixels = band.last().map_or(begun.pixels, |last| {
+                place(*last, width, (last.width * last.height) as usize - 1) + 1
+            });
+            if let (Some(seen), Some(first), Some(last)) = (&mut begun.seen, band.first(), band.last()) {
                 let glimpses: Vec<&Glimpse> = done.iter().filter_map(|p| p.glimpse.as_ref()).collect();
                 let mut shown: Vec<&mut Vec<Rgb>> = frame.shown_mut(shared.groups);
                 let rows = first.y..last.y + last.height;
@@ -220,16 +249,17 @@ impl Job {
                 }
             }
             // A batch is summed by itself before it is added: others may then merge it to the same bits.
-            if shared.kept {
+            if kept {
                 frame.add(replicate, &layers);
             }
         }
         for group in shared.groups {
-            if shared.kept { frame.count(*group, replicate) } else { frame.count_shown(*group) }
+            if kept { frame.count(*group, replicate) } else { frame.count_shown(*group) }
         }
         if let Some(sums) = frame.auxiliary_mut().filter(|_| note) {
             sums.samples += passes;
         }
+        Some(())
     }
 
     /// The picture cut into tiles, elsewhere in each batch: what pixels of a tile have in common must not show.
@@ -270,7 +300,7 @@ impl Job {
         let mut planes: Vec<Vec<Vec<Rgb>>> = self.planes.iter().map(plane).collect();
         let mut auxiliary = note.then(|| Auxiliary::new(pixels));
         let mut rays = Rays::default();
-        self.eye.lay_out(&self.world, rect, self.settings.interleave, tiles);
+        self.eye.lay_out(shared.world, rect, self.settings.interleave, tiles);
         let samples = self.settings.eye_passes();
         for number in numbers {
             let sampling = self.sampling(shared.batch, number);
@@ -286,7 +316,7 @@ impl Job {
             let passes: Vec<Pass<'_>> = shared.lights[first..first + tiles.len()]
                 .iter()
                 .map(|lights| Pass {
-                    world: &self.world,
+                    world: shared.world,
                     settings: &self.settings,
                     plan: &self.plan,
                     eye: &self.eye,
@@ -388,10 +418,11 @@ impl Job {
     }
 }
 
-/// Rows of tiles that are worked on together.
+/// Tiles that are worked on together: whole rows of them, or a part of the only one.
 fn bands(rects: &[Rect]) -> impl Iterator<Item = &[Rect]> {
     let columns = rects.iter().take_while(|rect| rect.y == rects[0].y).count().max(1);
-    rects.chunks(TOGETHER.div_ceil(columns) * columns)
+    let together = if columns < rects.len() { TOGETHER.div_ceil(columns) * columns } else { TOGETHER };
+    rects.chunks(together)
 }
 
 /// What a piece of work counted, and what its paths met first.

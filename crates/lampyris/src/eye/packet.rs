@@ -218,7 +218,10 @@ impl<'w> Packet<'w> {
             std::array::from_fn(|k| self.place[axis][k] as f32 + samplings[k].offset[axis])
         });
         let directions = view.directions(&x, &y);
-        let hits = world.tracer().closest16(view.eye(), &directions, inside);
+        let hits = match view.is_cut() {
+            false => world.tracer().closest16(view.eye(), &directions, inside),
+            true => behind_the_cut(world, view, &directions, inside),
+        };
 
         let (mut plain, mut winding) = (0u16, inside);
         if !world.has_lamps() {
@@ -245,10 +248,12 @@ impl<'w> Packet<'w> {
 
         let mut last = [None; LANES];
         for k in lanes(winding) {
-            let ray = Ray::new(view.eye(), lane(&directions, k));
+            let direction = lane(&directions, k);
+            let skipped = view.skipped(direction);
+            let ray = Ray::new(view.eye() + direction * skipped, direction);
+            let hit = hits.get(k).map(|hit| Hit { t: hit.t - skipped, ..hit });
             let gleams = &mut self.gleams;
-            let (ended, forks) =
-                first(world, ray, hits.get(k), self.numbers[k], &mut gleams_of(k, gleams), rays);
+            let (ended, forks) = first(world, ray, hit, self.numbers[k], &mut gleams_of(k, gleams), rays);
             self.forks |= u16::from(forks) << k;
             last[k] = ended.map(|ended| self.end(k, ended));
         }
@@ -374,4 +379,19 @@ fn plain_finish(world: &World, (instance, triangle): (u32, u32)) -> Option<&Fini
     // A body of glass may have absorbed some of the light on its way here.
     let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
     (!odd && world.all_flat(instance)).then_some(finish)
+}
+/// What rays from the eye meet first behind the plane that a view is cut at, each lane by itself.
+fn behind_the_cut(world: &World, view: &View, directions: &[[f32; LANES]; 3], inside: u16) -> Hits16 {
+    let mut hits = Hits16::default();
+    for k in lanes(inside) {
+        let direction = lane(directions, k);
+        let skipped = view.skipped(direction);
+        let Some(hit) = world.tracer().closest(&Ray::new(view.eye() + direction * skipped, direction)) else {
+            continue;
+        };
+        hits.hit |= 1 << k;
+        (hits.t[k], hits.u[k], hits.v[k]) = (hit.t + skipped, hit.u, hit.v);
+        (hits.instance[k], hits.triangle[k]) = (hit.instance, hit.triangle);
+    }
+    hits
 }

@@ -133,6 +133,16 @@ impl Seen {
         Seen { width, height, band: 0..0, done: 0, planes: vec![Vec::new(); lit(layers)] }
     }
 
+    /// Rows of the picture that are filtered.
+    pub fn done(&self) -> u32 {
+        self.done
+    }
+
+    /// Goes on without a layer: those behind it take its place.
+    pub fn forget(&mut self, layer: usize) {
+        self.planes.drain(lit(layer)..lit(layer + 1));
+    }
+
     /// Layers of light.
     pub(super) fn layers(&self) -> usize {
         (self.planes.len() - LIGHT) / OF_LAYER

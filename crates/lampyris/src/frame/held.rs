@@ -5,8 +5,11 @@
 //! Colours that change meanwhile are seen as soon as a layer has a batch: what is held stays as it is, and the layer's own
 //! light is added in the colour that it has more or less now. For display alone: sums and errors know nothing of it.
 
-use super::{Frame, Layer};
+use super::Frame;
+use super::layer::{Layer, Plane};
+use super::still::Standing;
 use crate::color::Rgb;
+use std::sync::Arc;
 
 /// What some layers showed together.
 #[derive(Clone, Debug)]
@@ -14,7 +17,7 @@ pub(super) struct Held {
     /// The layers that have this light now, in the order of their numbers, and the colours in which it is held.
     layers: Vec<(usize, Rgb)>,
     /// The mean of what they showed, in these colours.
-    shown: Vec<Rgb>,
+    shown: Plane,
     /// Batches of which it is the mean.
     batches: u32,
 }
@@ -37,20 +40,19 @@ impl Held {
         let new = self.layers().map(|number| layers[number].batches()).min().unwrap_or(0);
         1.0 - new.min(self.batches) as f32 / self.batches as f32
     }
-
-    /// What is shown of it.
-    pub(super) fn plane(&self, layers: &[Layer]) -> (&[Rgb], Rgb) {
-        (&self.shown, Rgb::grey(self.share(layers)))
-    }
-
-    /// The part of a layer's colour that it stands for; `None` if it does not stand in for the layer.
-    pub(super) fn color(&self, layer: usize, layers: &[Layer]) -> Option<Rgb> {
-        let (_, color) = self.layers.iter().find(|(number, _)| *number == layer)?;
-        Some(*color * self.share(layers))
-    }
 }
 
 impl Frame {
+    /// What is shown of all that is held.
+    pub(super) fn standing(&self) -> Vec<Standing> {
+        let of = |held: &Held| Standing {
+            layers: held.layers.clone(),
+            share: held.share(&self.layers),
+            plane: Arc::clone(&held.shown),
+        };
+        self.held.iter().map(of).collect()
+    }
+
     /// Lamps changed places among some layers, the last of which may be one more: all of them begin anew, and what they
     /// showed stands in for them, unless the lamps have another colour in their new place.
     pub(crate) fn regroup(&mut self, layers: &[usize]) {
@@ -69,9 +71,9 @@ impl Frame {
             self.held.remove(at);
             return;
         };
-        let light = self.sum(own.mix(color, self.filtered_shares()[layer]));
+        let light = self.light_of(layer, color);
         let held = &mut self.held[at];
-        held.shown.iter_mut().zip(light).for_each(|(shown, v)| *shown += -v);
+        Arc::make_mut(&mut held.shown).iter_mut().zip(light).for_each(|(shown, v)| *shown += -v);
         held.layers.retain(|(number, _)| *number != layer);
         self.held.retain(|held| !held.layers.is_empty());
     }
@@ -108,7 +110,7 @@ impl Frame {
         let colored = |number: &usize| (*number, self.layers.get(*number).map_or(color, |own| own.color));
         Some(Held {
             layers: numbers.iter().map(colored).collect(),
-            shown: self.shown_of(|number| numbers.contains(&number)),
+            shown: Arc::new(self.blend().mix_of(|number| numbers.contains(&number), |_| None)),
             batches,
         })
     }

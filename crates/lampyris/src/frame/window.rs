@@ -4,9 +4,11 @@
 //!
 //! For display alone, like all that is shown. Seen from elsewhere old images are worth nothing: then there are none.
 
-use super::{Frame, Layer};
-use crate::color::Rgb;
+use super::Frame;
+use super::layer::{Layer, Plane, scale_ahead};
+use super::still::Term;
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 /// What is shown of a layer, batch by batch.
 #[derive(Clone, Debug, Default)]
@@ -21,7 +23,7 @@ pub(super) struct Window {
 #[derive(Clone, Debug)]
 struct Past {
     /// Σ of what they showed.
-    sum: Vec<Rgb>,
+    sum: Plane,
     /// How many they were.
     of: u32,
     /// How many of them are among the last N.
@@ -29,9 +31,10 @@ struct Past {
 }
 
 impl Window {
-    /// 1 over the number of batches that are shown of light as it is.
-    pub(super) fn scale(&self) -> f32 {
-        1.0 / self.batches.max(1) as f32
+    /// 1 over the number of batches that are shown of light as it is, and of those that a batch has reached that was given
+    /// up.
+    pub(super) fn scales(&self) -> [f32; 2] {
+        [1.0 / self.batches.max(1) as f32, scale_ahead(self.batches)]
     }
 
     /// The share of light as it is.
@@ -40,11 +43,11 @@ impl Window {
     }
 
     /// Light as it was, in its shares.
-    pub(super) fn past(&self, color: Rgb) -> impl Iterator<Item = (&[Rgb], Rgb)> {
+    pub(super) fn past(&self) -> impl Iterator<Item = Term> {
         let all = self.shown() as f32;
         self.past.iter().map(move |past| {
             let share = past.left as f32 / all;
-            (past.sum.as_slice(), color * (share / past.of as f32))
+            Term::whole(&past.sum, share / past.of as f32)
         })
     }
 
@@ -71,7 +74,11 @@ impl Layer {
     /// What it shows as light that was, if a window has room for more than the present.
     fn leave(&mut self, most: u32) -> VecDeque<Past> {
         let Window { batches, mut past } = std::mem::take(&mut self.window);
-        let sum = self.shown.take().filter(|_| batches > 0 && most > 1);
+        let mut sum = self.shown.take().filter(|_| batches > 0 && most > 1);
+        if let Some(sum) = sum.as_mut().filter(|_| self.ahead[1] > 0) {
+            let back = batches as f32 * scale_ahead(batches);
+            Arc::make_mut(sum)[..self.ahead[1]].iter_mut().for_each(|v| *v *= back);
+        }
         past.extend(sum.map(|sum| Past { sum, of: batches, left: batches.min(most) }));
         past
     }
@@ -90,19 +97,26 @@ impl Frame {
     /// Batches are about to be added to some layers: what was only shown until now is past.
     pub(crate) fn begin(&mut self, layers: &[usize]) {
         for layer in layers {
-            let own = &mut self.layers[*layer];
-            if own.batches() == 0 && own.window.batches > 0 {
-                let past = own.leave(self.window);
-                let color = own.color;
-                let window = Window { batches: 0, past };
-                self.layers[*layer] = Layer { color, window, ..self.empty() };
+            let own = &self.layers[*layer];
+            if own.batches() == 0 && (own.window.batches > 0 || own.ahead[1] > 0) {
+                self.abandon(*layer);
             }
         }
     }
 
+    /// The sums of a layer begin anew, although its light is what it was. What is shown of it stays within the window.
+    pub(crate) fn abandon(&mut self, layer: usize) {
+        let own = &mut self.layers[layer];
+        let past = own.leave(self.window);
+        let (color, window) = (own.color, Window { batches: 0, past });
+        self.layers[layer] = Layer { color, window, ..self.empty() };
+    }
+
     /// What a layer shows has a batch more.
     pub(crate) fn count_shown(&mut self, layer: usize) {
-        self.layers[layer].window.count(self.window);
+        let own = &mut self.layers[layer];
+        own.window.count(self.window);
+        own.ahead = [0; 2];
     }
 
     /// What is shown is of the sums alone from now on.

@@ -42,6 +42,8 @@ pub struct View {
     corner: Vec3,
     right: Vec3,
     down: Vec3,
+    forward: Vec3,
+    near: f32,
 }
 
 impl View {
@@ -55,7 +57,19 @@ impl View {
         let right = side * (2.0 * half / h);
         let down = -up * (2.0 * half / h);
         let corner = forward - right * (0.5 * w) - down * (0.5 * h);
-        View { width, height, eye: camera.eye, corner, right, down }
+        View { width, height, eye: camera.eye, corner, right, down, forward, near: 0.0 }
+    }
+
+    /// The same view, for which nothing is there up to the plane at that distance from the eye [m]: a section, whose light is
+    /// that of the whole.
+    #[must_use]
+    pub fn cut(self, near: f32) -> View {
+        View { near, ..self }
+    }
+
+    /// How far along a ray of unit direction nothing is seen [m].
+    pub fn skipped(&self, direction: Vec3) -> f32 {
+        if self.near > 0.0 { self.near / direction.dot(self.forward).max(1e-3) } else { 0.0 }
     }
 
     /// The eye point [m].
@@ -66,6 +80,11 @@ impl View {
     /// Edge of a pixel at distance 1, in the middle of the picture.
     pub fn pixel_size(&self) -> f32 {
         self.right.length()
+    }
+
+    /// True if something is cut off.
+    pub fn is_cut(&self) -> bool {
+        self.near > 0.0
     }
 
     /// The ray through picture point (x, y) [pixels from the upper left corner]; unit direction.

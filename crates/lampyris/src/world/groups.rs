@@ -1,8 +1,8 @@
 //! Light groups: which lamps are summed apart, so that dimming and colouring them is arithmetic and no light transport.
 //!
 //! Light is linear in what each lamp sends out, channel by channel. The lamps of a group are made white, of the luminance
-//! that they have in the file, and their colour becomes the first value of the group's mix. What a texture paints keeps
-//! its colours, and is tinted.
+//! that they have in the file, and their colour becomes the first value of the group's mix. What is of several colours, or
+//! painted by a texture, keeps them, and is tinted.
 
 use super::World;
 use crate::color::Rgb;
@@ -14,26 +14,30 @@ use std::collections::BTreeMap;
 /// What holds the lamps of a group together.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Bond {
-    /// The luminaire's name in the file.
-    Name(String, Tint),
+    /// The luminaire's name in the file, and its colour if it has but one.
+    Name(String, Option<Tint>),
     /// The material that glows.
     Material(u32),
     /// Nothing but that there are too many of them.
     Rest,
 }
 
-/// A colour of luminance 1, in 4096ths: lamps of different colour share no group.
+/// A colour of luminance 1, in 4096ths.
 type Tint = [i32; 3];
 
 impl World {
     /// Sorts the lamps into at most `most` groups (1 to [`Group::MOST`]): by the names of luminaires, the strongest first, then by material.
-    /// Lamps that are sorted already stay as they are.
+    /// Lamps that are sorted already stay as they are. Where there is no lamp there is a group that is empty.
     ///
     /// # Errors
     /// None that a scene could cause which was read without one.
     pub fn separate(&mut self, most: usize) -> Result<()> {
         let shares = self.scene.reference.shares.clone();
-        if !self.scene.groups.is_empty() || shares.is_empty() {
+        if !self.scene.groups.is_empty() {
+            return Ok(());
+        }
+        if shares.is_empty() {
+            self.change_scene(|scene| scene.groups.push(Group { name: "none".into(), color: Rgb::WHITE }));
             return Ok(());
         }
         let bonds = bonds(&self.scene, &shares, most.clamp(1, Group::MOST));
@@ -53,7 +57,8 @@ impl World {
                 (Source::Side { material: a, .. }, Source::Side { material: b, .. }) => a == b,
                 _ => source == other,
             };
-            bonds.iter().zip(&shares).any(|(bond, share)| *bond == Bond::Rest && same(share.source))
+            let keeps = |bond: &Bond| matches!(bond, Bond::Rest | Bond::Name(_, None));
+            bonds.iter().zip(&shares).any(|(bond, share)| keeps(bond) && same(share.source))
         };
         let mut edits = Vec::new();
         for (number, share) in numbers.iter().zip(&shares) {
@@ -108,10 +113,21 @@ impl Bond {
 
 /// What each emitter is sorted by, so that there are at most `most` different ones.
 fn bonds(scene: &Scene, shares: &[Share], most: usize) -> Vec<Bond> {
-    let by_name = |share: &Share| {
+    let tint = |share: &Share| {
         let color = tint(scene, share.source).unwrap_or(Rgb::WHITE);
+        color.to_array().map(|c| libm::roundf(c * 4096.0) as i32)
+    };
+    let mut tints: BTreeMap<String, Option<Tint>> = BTreeMap::new();
+    for share in shares {
+        let tint = Some(tint(share));
+        tints
+            .entry(name(scene, share.source))
+            .and_modify(|own| *own = own.filter(|_| *own == tint))
+            .or_insert(tint);
+    }
+    let by_name = |share: &Share| {
         let name = name(scene, share.source);
-        let tint = color.to_array().map(|c| libm::roundf(c * 4096.0) as i32);
+        let tint = tints.get(&name).copied().flatten();
         (!name.is_empty()).then_some(Bond::Name(name, tint))
     };
     let by_material = |share: &Share| match share.source {

@@ -3,9 +3,9 @@
 //! Values are checked here, so that what the contexts hold is always usable.
 
 use super::args::{exactly, number, numbers};
-use super::color::Chromaticity;
 use super::material::Share;
 use super::reader::{Fault, Reader};
+use crate::chromaticity::Chromaticity;
 use crate::import::BRIGHTEST;
 use crate::import::report::quote;
 use glam::DVec3;

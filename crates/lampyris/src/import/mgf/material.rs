@@ -2,7 +2,7 @@
 //! Shares that sum above one, and colours so saturated that a channel would, are reduced until energy is kept.
 //! A complex index of refraction is kept in the file's words only: metals reflect as `rs` says.
 
-use super::color::Chromaticity;
+use crate::chromaticity::Chromaticity;
 use crate::color::Rgb;
 use crate::material::{Bsdf, Dielectric, Diffuse, Material, Sides, Ward};
 use std::f64::consts::FRAC_1_PI;

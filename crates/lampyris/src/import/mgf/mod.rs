@@ -3,7 +3,6 @@
 //! block. Light distributions (`ies`) are not read yet.
 
 mod args;
-mod color;
 mod contexts;
 mod entities;
 mod geometry;

@@ -3,12 +3,12 @@
 //! that what the block redefines is redefined each time. No recursion: the depth of a scene is data.
 
 use super::args::Reason;
-use super::color::Chromaticity;
 use super::contexts::Contexts;
 use super::material::Surface;
 use super::shapes::Vertex;
 use super::sink::Sink;
 use super::transform::Transform;
+use crate::chromaticity::Chromaticity;
 use crate::error::{Error, Result};
 use crate::import::files::Root;
 use crate::import::lines::{LINE_BYTES, Place, TooLong, next_line, words};

@@ -1,14 +1,16 @@
-//! MGF colours: hue and saturation alone, as CIE 1931 chromaticity relative to equal-energy white.
-//! Spectra are integrated with the CIE 1931 2° observer, black bodies follow Planck's law. Mixing weighs tristimulus
+//! Hue and saturation alone, as CIE 1931 chromaticity relative to equal-energy white: MGF's colours, and lamps by their
+//! temperature. Spectra are integrated with the CIE 1931 2° observer, black bodies follow Planck's law. Mixing weighs tristimulus
 //! values, which for colours weighted by luminance is exactly mixing their spectra, so no spectrum is kept.
 
 use crate::color::Rgb;
 
 /// A chromaticity (x, y).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Chromaticity {
-    pub(super) x: f64,
-    pub(super) y: f64,
+pub struct Chromaticity {
+    /// x
+    pub x: f64,
+    /// y
+    pub y: f64,
 }
 
 impl Default for Chromaticity {
@@ -26,7 +28,7 @@ impl Chromaticity {
 
     /// Of a spectrum of relative power, given at evenly spaced wavelengths from `first` to `last` [nm] and zero
     /// elsewhere; `None` if its luminance is not positive. At least two values, `first < last`.
-    pub(super) fn from_spectrum(first: f64, last: f64, values: &[f64]) -> Option<Chromaticity> {
+    pub fn from_spectrum(first: f64, last: f64, values: &[f64]) -> Option<Chromaticity> {
         let intervals = values.len() - 1;
         let at = |wavelength: f64| {
             let t = (wavelength - first) / (last - first) * intervals as f64;
@@ -41,7 +43,7 @@ impl Chromaticity {
     }
 
     /// Of a black body at a temperature [K], > 0.
-    pub(super) fn from_temperature(kelvin: f64) -> Option<Chromaticity> {
+    pub fn from_temperature(kelvin: f64) -> Option<Chromaticity> {
         // c₂ = hc/k [nm·K]; relative to 780 nm, where least is lost at low temperatures.
         let exponent = |nm: f64| 1.438_776_877e7 / (nm * kelvin);
         Chromaticity::integrate(|nm| {
@@ -51,8 +53,31 @@ impl Chromaticity {
         })
     }
 
+    /// Of a black body at a temperature [K], > 0, moved off the curve of black bodies by Duv (CIE 1960 u, v; positive toward
+    /// green), as lamps that are no black bodies are told by.
+    pub fn from_temperature_and_tint(kelvin: f64, duv: f64) -> Option<Chromaticity> {
+        let body = Chromaticity::from_temperature(kelvin)?;
+        if duv == 0.0 {
+            return Some(body);
+        }
+        let [below, above] = [0.999, 1.001].map(|step| Chromaticity::from_temperature(kelvin * step));
+        let ([u, v], [u0, v0], [u1, v1]) = (body.uv(), below?.uv(), above?.uv());
+        // Along the curve, hotter bodies lie to its lower u; a quarter turn from there is toward green.
+        let (du, dv) = (u1 - u0, v1 - v0);
+        let length = (du * du + dv * dv).sqrt();
+        let (u, v) = (u + duv * dv / length, v - duv * du / length);
+        let sum = 2.0 * u - 8.0 * v + 4.0;
+        Some(Chromaticity { x: 3.0 * u / sum, y: 2.0 * v / sum })
+    }
+
+    /// CIE 1960 u and v.
+    fn uv(self) -> [f64; 2] {
+        let sum = -2.0 * self.x + 12.0 * self.y + 3.0;
+        [4.0 * self.x / sum, 6.0 * self.y / sum]
+    }
+
     /// Σ w·(X, Y, Z) of colours scaled to unit luminance; `None` if nothing with luminance is left.
-    pub(super) fn mix(parts: &[(f64, Chromaticity)]) -> Option<Chromaticity> {
+    pub fn mix(parts: &[(f64, Chromaticity)]) -> Option<Chromaticity> {
         let mut sum = [0.0; 3];
         for &(weight, c) in parts {
             // On y = 0 there is no unit luminance: the neutral stands in, as in `Rgb::from_xy_e`.
@@ -65,7 +90,7 @@ impl Chromaticity {
     }
 
     /// Scene colour of luminance `y`.
-    pub(super) fn rgb(self, y: f64) -> Rgb {
+    pub fn rgb(self, y: f64) -> Rgb {
         Rgb::from_xy_e(self.x, self.y, y)
     }
 
@@ -146,6 +171,26 @@ mod tests {
     fn black_bodies_lie_on_the_published_locus() {
         for (kelvin, x, y) in [(2856.0, 0.4476, 0.4075), (3000.0, 0.4370, 0.4041), (6500.0, 0.3135, 0.3237)] {
             assert_near(Chromaticity::from_temperature(kelvin), x, y, 0.0005);
+        }
+    }
+
+    /// Duv is a distance, and green lies on its positive side.
+    #[test]
+    fn tints_leave_the_locus_at_right_angles() {
+        for kelvin in [2200.0, 2700.0, 4000.0, 6500.0, 20_000.0] {
+            let body = Chromaticity::from_temperature(kelvin).unwrap();
+            for duv in [-0.02, -0.006, 0.003, 0.02] {
+                let tinted = Chromaticity::from_temperature_and_tint(kelvin, duv).unwrap();
+                let ([u, v], [u0, v0]) = (tinted.uv(), body.uv());
+                let moved = ((u - u0).powi(2) + (v - v0).powi(2)).sqrt();
+                assert!((moved - duv.abs()).abs() < 1e-9, "{kelvin} K: {moved}");
+                assert_eq!(v > v0, duv > 0.0);
+                // No black body is nearer by more than the step along the curve leaves open.
+                for step in [0.98, 0.99, 1.01, 1.02] {
+                    let [ub, vb] = Chromaticity::from_temperature(kelvin * step).unwrap().uv();
+                    assert!((u - ub).powi(2) + (v - vb).powi(2) > moved * moved * 0.999);
+                }
+            }
         }
     }
 

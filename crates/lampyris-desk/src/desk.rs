@@ -1,0 +1,546 @@
+//! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
+//! the studio's, pictures the screen's.
+
+mod editing;
+
+use crate::adding::NewLamp;
+use crate::door::{Door, Role};
+use crate::history::{Gesture, History};
+use crate::hub::Hub;
+use crate::meters::Layout;
+use crate::model::Model;
+use crate::patch::{LampPatch, Patch};
+use crate::saving;
+use crate::screen::{Screen, Show};
+use crate::state;
+use crate::studio::{Asked, Found, Progress, Studio};
+use crate::wire::{Do, Look, Message, PROTOCOL, Question};
+use lampyris::Rgb;
+use lampyris::measuring::Estimate;
+use lampyris::output::ToneCurve;
+use lampyris::scene::Scene;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
+
+/// How long edits wait to be saved.
+const SOON: Duration = Duration::from_millis(400);
+
+/// What happens at a desk.
+pub(crate) enum Event {
+    /// The scene is there.
+    Opened {
+        model: Box<Model>,
+        scene: Box<Scene>,
+        look: Look,
+        warnings: Vec<String>,
+    },
+    Joined {
+        client: u64,
+        role: Role,
+    },
+    Left {
+        client: u64,
+    },
+    Said {
+        client: u64,
+        message: Message,
+    },
+    Progress(Progress),
+    Found {
+        client: u64,
+        id: u32,
+        found: Option<Found>,
+    },
+    /// An exposure was metered.
+    Metered {
+        ev: f32,
+    },
+    /// What the meters read.
+    Measured {
+        readings: Vec<Estimate>,
+    },
+    /// Edits were written down, or could not be.
+    Saved {
+        saved: Value,
+    },
+    /// Nothing happened for a while.
+    Idle,
+    /// The renderer did not follow an edit.
+    Refused {
+        why: String,
+    },
+    /// The program shall end.
+    End,
+}
+
+/// Where events go.
+#[derive(Clone)]
+pub(crate) struct Inbox(Sender<Event>);
+
+impl Inbox {
+    pub(crate) fn new() -> (Inbox, Receiver<Event>) {
+        let (send, receive) = mpsc::channel();
+        (Inbox(send), receive)
+    }
+
+    /// Nobody listens any more once the program ends.
+    pub(crate) fn put(&self, event: Event) {
+        let _ = self.0.send(event);
+    }
+}
+
+/// The desk.
+pub(crate) struct Desk {
+    hub: Arc<Hub>,
+    door: Arc<Door>,
+    studio: Arc<Studio>,
+    screen: Arc<Screen>,
+    file: PathBuf,
+    build: Arc<str>,
+    model: Model,
+    /// The scene without its geometry.
+    scene: Option<Scene>,
+    warnings: Vec<String>,
+    look: Option<Look>,
+    layout: Layout,
+    /// What is said of meters and grids.
+    told: Value,
+    saved: Value,
+    /// Since when there is something to save.
+    unsaved: Option<Instant>,
+    cameras: u32,
+    history: History,
+    gesture: Option<Gesture>,
+    solo: BTreeSet<u32>,
+    show: Show,
+    metered: bool,
+    white: Value,
+    progress: Option<Progress>,
+    clients: BTreeMap<u64, Role>,
+    editor: Option<u64>,
+    /// The last message of the editor that was applied.
+    seq: u32,
+    /// The program ends when nobody looks any more.
+    ends_alone: bool,
+}
+
+/// What decides a desk when it begins.
+pub(crate) struct Parts {
+    pub(crate) hub: Arc<Hub>,
+    pub(crate) door: Arc<Door>,
+    pub(crate) studio: Arc<Studio>,
+    pub(crate) screen: Arc<Screen>,
+    pub(crate) file: PathBuf,
+    pub(crate) build: Arc<str>,
+    pub(crate) ends_alone: bool,
+}
+
+impl Desk {
+    pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
+        let Parts { hub, door, studio, screen, file, build, ends_alone } = parts;
+        Ok(Desk {
+            hub,
+            door,
+            studio,
+            screen,
+            file,
+            build,
+            model: Model::default(),
+            scene: None,
+            warnings: Vec::new(),
+            look: None,
+            layout: Layout::default(),
+            told: Value::Null,
+            saved: json!({"state": "clean", "file": null, "why": null}),
+            unsaved: None,
+            cameras: 0,
+            history: History::new()?,
+            gesture: None,
+            solo: BTreeSet::new(),
+            show: Show::default(),
+            metered: false,
+            white: Value::Null,
+            progress: None,
+            clients: BTreeMap::new(),
+            editor: None,
+            seq: 0,
+            ends_alone,
+        })
+    }
+
+    /// Does what comes, until the end.
+    pub(crate) fn run(mut self, events: &Receiver<Event>) {
+        while let Some(event) = self.next(events) {
+            match event {
+                Event::Opened { model, scene, look, warnings } => {
+                    (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
+                    self.look = Some(look);
+                    self.screen.mix(self.colors(), 0.0);
+                    self.lay_out();
+                    self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
+                }
+                Event::Joined { client, role } => self.join(client, role),
+                Event::Left { client } => {
+                    self.leave(client);
+                    if self.ends_alone && self.clients.is_empty() {
+                        break;
+                    }
+                }
+                Event::Said { client, message } => self.hear(client, message),
+                Event::Progress(progress) => {
+                    self.progress = Some(progress);
+                    self.hub.tell_all(&self.status());
+                    let layers = state::layers(self.scene.as_ref(), self.progress.as_ref());
+                    self.tell_patch(json!({"layers": layers}));
+                }
+                Event::Found { client, id, found } => {
+                    let answer = state::found(&self.model, id, found);
+                    self.hub.tell(client, &answer);
+                }
+                Event::Metered { ev } => {
+                    (self.show.ev, self.metered) = (Some(ev), true);
+                    self.tell_patch(json!({"display": self.display()}));
+                }
+                Event::Saved { saved } => {
+                    self.saved = saved;
+                    if self.unsaved.is_some() && self.saved["state"] == "saved" {
+                        self.saved["state"] = "waiting".into();
+                    }
+                    self.tell_patch(json!({"saved": self.saved}));
+                }
+                Event::Measured { readings } => {
+                    self.told = self.layout.told(&readings);
+                    self.tell_readings();
+                }
+                Event::Idle => self.save(None),
+                Event::Refused { why } => {
+                    if let Some(editor) = self.editor {
+                        self.hub.tell(editor, &json!({"is": "refused", "seq": self.seq, "why": why}));
+                    }
+                }
+                Event::End => break,
+            }
+        }
+        self.end_gesture();
+        self.save(None);
+        self.hub.tell_all(&json!({"is": "event", "what": "bye"}));
+        self.studio.end();
+        self.screen.end();
+    }
+
+    /// What happens next; nothing for a while, where edits wait to be saved.
+    fn next(&self, events: &Receiver<Event>) -> Option<Event> {
+        let Some(since) = self.unsaved else { return events.recv().ok() };
+        match events.recv_timeout(SOON.saturating_sub(since.elapsed())) {
+            Ok(event) => Some(event),
+            Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
+            Err(RecvTimeoutError::Disconnected) => None,
+        }
+    }
+
+    /// Has the edits written down, if there are some, or as a version of a name.
+    fn save(&mut self, name: Option<String>) {
+        if self.unsaved.take().is_some() || name.is_some() {
+            self.studio.save(saving::kept(&self.model), name);
+        }
+    }
+
+    /// Level and colour of each layer as it is shown.
+    fn colors(&self) -> Vec<Rgb> {
+        let Some(scene) = &self.scene else { return Vec::new() };
+        let mut colors: Vec<Rgb> = scene.groups.iter().map(|group| group.color).collect();
+        if !self.solo.is_empty() {
+            let lamps = self.solo.iter().filter_map(|id| self.model.lamps.get(*id as usize));
+            let emitters = lamps.flat_map(|lamp| &lamp.emitters);
+            let layers: BTreeSet<u16> = emitters
+                .filter_map(|(k, _)| scene.reference.shares.get(*k as usize))
+                .map(|share| share.group)
+                .collect();
+            (0..)
+                .zip(&mut colors)
+                .filter(|(layer, _)| !layers.contains(layer))
+                .for_each(|(_, color)| *color = Rgb::BLACK);
+        }
+        colors
+    }
+
+    fn join(&mut self, client: u64, role: Role) {
+        self.clients.insert(client, role);
+        if role == Role::Edit && self.editor.is_none() {
+            self.pass_pen(Some(client));
+        }
+        let role = if role == Role::Edit { "edit" } else { "watch" };
+        let hello =
+            json!({"is": "hello", "protocol": PROTOCOL, "build": *self.build, "you": client, "role": role});
+        self.hub.tell(client, &hello);
+        if self.scene.is_some() {
+            self.tell_state(client);
+        }
+    }
+
+    fn leave(&mut self, client: u64) {
+        self.clients.remove(&client);
+        if self.editor == Some(client) {
+            self.end_gesture();
+            let next = self.clients.iter().find(|(_, role)| **role == Role::Edit).map(|(id, _)| *id);
+            self.pass_pen(next);
+        }
+    }
+
+    /// Somebody else edits from now on.
+    fn pass_pen(&mut self, to: Option<u64>) {
+        let from = std::mem::replace(&mut self.editor, to);
+        self.seq = 0;
+        for client in [from, to].into_iter().flatten() {
+            self.hub.tell(
+                client,
+                &json!({"is": "patch", "seq": 0, "patch": {"editor": self.editor_for(client)}}),
+            );
+        }
+        if let Some(from) = from.filter(|from| Some(*from) != to && to.is_some()) {
+            self.hub.tell(from, &json!({"is": "event", "what": "taken"}));
+        }
+    }
+
+    fn hear(&mut self, client: u64, Message { seq, what }: Message) {
+        let role = self.clients.get(&client).copied();
+        let done = match what {
+            Do::Ack => return,
+            Do::Ask { id, question } => self.answer(client, id, question),
+            Do::Edit { take } => match (take, role, self.editor == Some(client)) {
+                (true, Some(Role::Edit), false) => {
+                    self.end_gesture();
+                    self.pass_pen(Some(client));
+                    Ok(false)
+                }
+                (false, _, true) => {
+                    self.end_gesture();
+                    self.pass_pen(None);
+                    Ok(false)
+                }
+                (true, Some(Role::Watch), _) => Err("this link is for looking on".into()),
+                _ => Ok(false),
+            },
+            _ if self.editor != Some(client) => Err("somebody else is editing".into()),
+            _ if self.scene.is_none() => Err("the scene is not there yet".into()),
+            what => self.follow(client, seq, what),
+        };
+        match done {
+            Ok(traced) if self.editor == Some(client) => {
+                self.seq = seq;
+                self.screen.applied(seq, traced);
+            }
+            Ok(_) => {}
+            Err(why) => self.hub.tell(client, &json!({"is": "refused", "seq": seq, "why": why})),
+        }
+    }
+
+    /// What only the editor may. Returns whether it asks for rays.
+    fn follow(&mut self, client: u64, seq: u32, what: Do) -> Result<bool, String> {
+        match what {
+            Do::Size { width, height } => {
+                self.studio.resize([width, height]);
+                Ok(false)
+            }
+            Do::Camera(look) => {
+                let look = look.in_perspective();
+                self.cameras += 1;
+                self.studio.look(look.clone(), self.cameras, seq);
+                self.look = Some(look);
+                Ok(true)
+            }
+            Do::Begin { label } => {
+                self.end_gesture();
+                self.gesture = Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
+                Ok(false)
+            }
+            Do::Set { patch } => {
+                let label = state::label(&self.model, &patch);
+                self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
+            }
+            Do::End => {
+                self.end_gesture();
+                Ok(false)
+            }
+            Do::Cancel => match self.gesture.take() {
+                Some(gesture) => self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced),
+                None => Ok(false),
+            },
+            Do::Undo | Do::Redo => {
+                self.end_gesture();
+                let undo = matches!(what, Do::Undo);
+                let step = if undo { self.history.undo() } else { self.history.redo() };
+                let Some(gesture) = step.map_err(|e| format!("the log cannot be read: {e}"))? else {
+                    return Err(
+                        if undo { "there is nothing to undo" } else { "there is nothing to redo" }.into()
+                    );
+                };
+                let patch = if undo { &gesture.inverse } else { &gesture.forward };
+                let (_, traced) = self.carry_out(seq, patch, 0.0)?;
+                self.tell_history();
+                Ok(traced)
+            }
+            Do::Solo { lamps } => {
+                self.solo = lamps.into_iter().collect();
+                self.screen.mix(self.colors(), 0.0);
+                self.tell_patch(json!({"solo": self.solo}));
+                Ok(false)
+            }
+            Do::Display { patch } => self.display_as(&patch).map(|()| false),
+            Do::Expose => {
+                self.show.ev = None;
+                self.screen.show(self.show);
+                Ok(false)
+            }
+            Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
+            Do::Add { lamp } => {
+                let new: NewLamp = serde_json::from_value(*lamp).map_err(|e| e.to_string())?;
+                self.in_gesture("Add a lamp", |desk| {
+                    let light = new.light(desk.model.lamps.len(), desk.down())?;
+                    desk.add(seq, light, None)
+                })
+            }
+            Do::Copy { lamps, count, step } => {
+                self.in_gesture("Copy", |desk| desk.copy(seq, &lamps, count, step))
+            }
+            Do::Remove { lamps } => {
+                let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
+                let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
+                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0))
+            }
+            Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
+            Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
+            Do::Save { name } => {
+                self.unsaved.get_or_insert_with(Instant::now);
+                self.save(name);
+                Ok(false)
+            }
+        }
+    }
+
+    fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
+        match question {
+            Question::Point { frame, x, y } => {
+                let frame = self.screen.frame(frame).ok_or("this frame is too old to ask about")?;
+                self.studio.ask(Asked { client, id, frame, at: [x, y] });
+                Ok(false)
+            }
+            Question::Light { .. } | Question::Command | Question::Picture { .. } => {
+                Err("this desk cannot tell that".into())
+            }
+        }
+    }
+
+    fn display_as(&mut self, patch: &Value) -> Result<(), String> {
+        let mut show = self.show;
+        if let Some(ev) = patch.get("ev") {
+            let ev =
+                ev.as_f64().filter(|ev| ev.abs() <= 60.0).ok_or("an exposure lies between -60 and 60")?;
+            show.ev = Some(ev as f32);
+        }
+        if let Some(tone) = patch.get("tone") {
+            show.tone = tone.as_str().and_then(ToneCurve::from_name).ok_or("there is no such tone curve")?;
+        }
+        if let Some(white) = patch.get("white") {
+            show.white = state::white(white)?;
+            self.white = white.clone();
+        }
+        self.show = show;
+        self.screen.show(show);
+        self.tell_patch(json!({"display": self.display()}));
+        Ok(())
+    }
+
+    fn links(&mut self, client: u64, what: &str, role: Option<Role>, id: Option<u32>) -> Result<(), String> {
+        match (what, role, id) {
+            ("list", _, _) => {}
+            ("make", Some(role), _) => drop(self.door.make(role).map_err(|e| e.to_string())?),
+            ("revoke", _, Some(id)) => {
+                self.door.revoke(id);
+                let door = self.door.clone();
+                self.hub.dismiss(|pass| door.still(pass));
+            }
+            _ => return Err("need list, make with a role, or revoke with an id".into()),
+        }
+        let links = self.door.links();
+        let told = links
+            .iter()
+            .map(|link| json!({"id": link.id, "role": link.role, "address": self.door.address_of(link)}));
+        self.hub.tell(client, &json!({"is": "links", "links": told.collect::<Vec<_>>()}));
+        Ok(())
+    }
+
+    /// What meters and grids there are.
+    fn lay_out(&mut self) {
+        self.layout = Layout::of(&self.model, -self.down(), self.look.as_ref());
+        self.studio.measure(self.layout.points.clone());
+    }
+
+    fn tell_readings(&self) {
+        let mut patch = json!({});
+        for (slice, notes) in [("meters", &self.model.notes.meters), ("grids", &self.model.notes.grids)] {
+            let read = notes.keys().filter(|id| !self.told[slice][id.to_string()].is_null());
+            let entries = read
+                .map(|id| (id.to_string(), state::measured(&notes[id], &self.told[slice][id.to_string()])));
+            patch[slice] = entries.collect::<serde_json::Map<_, _>>().into();
+        }
+        self.tell_patch(patch);
+    }
+
+    fn tell_patch(&self, patch: Value) {
+        self.tell_patch_of(self.seq, patch);
+    }
+
+    /// What the editor's message of that number changed.
+    fn tell_patch_of(&self, seq: u32, patch: Value) {
+        self.hub.tell_all(&json!({"is": "patch", "seq": seq, "by": self.editor, "patch": patch}));
+    }
+
+    fn tell_history(&self) {
+        self.tell_patch(json!({"history": self.history_state()}));
+    }
+
+    fn tell_state(&self, client: u64) {
+        let Some(scene) = &self.scene else { return };
+        let mut whole = state::whole(&self.model, scene);
+        whole["scene"] = state::scene(scene, &self.file, &self.model, &self.warnings);
+        whole["layers"] = state::layers(Some(scene), self.progress.as_ref());
+        whole["display"] = self.display();
+        whole["solo"] = json!(self.solo);
+        whole["history"] = self.history_state();
+        whole["saved"] = self.saved.clone();
+        whole["editor"] = self.editor_for(client);
+        whole["status"] = self.status();
+        whole["camera"] = json!(self.look);
+        self.hub.tell(client, &json!({"is": "state", "seq": self.seq, "state": whole}));
+    }
+
+    fn editor_for(&self, client: u64) -> Value {
+        json!({"you": self.editor == Some(client), "name": self.editor.map(|id| format!("guest {id}"))})
+    }
+
+    fn history_state(&self) -> Value {
+        let [undo, redo] = self.history.labels();
+        json!({"undo": undo, "redo": redo, "steps": self.history.steps()})
+    }
+
+    fn display(&self) -> Value {
+        let tone = self.show.tone.name();
+        json!({"ev": self.show.ev, "metered": self.metered, "tone": tone, "white": self.white, "false_color": null})
+    }
+
+    fn status(&self) -> Value {
+        match &self.progress {
+            None => json!({"is": "status", "stage": "loading"}),
+            Some(p) => {
+                let error = p.error.is_finite().then_some(p.error);
+                json!({"is": "status", "stage": p.stage, "fps": p.fps, "batches": p.batches, "error": error,
+                       "good_in": p.good_in, "size": p.size, "layers": p.layers.len()})
+            }
+        }
+    }
+}

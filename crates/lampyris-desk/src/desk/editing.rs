@@ -1,0 +1,204 @@
+//! How a desk edits: patches to the model, what follows from them to the renderer, and gestures to the log.
+
+use super::Desk;
+use crate::adding;
+use crate::edits::{edits, lit_at};
+use crate::history::Gesture;
+use crate::mixer::mix;
+use crate::model::{Body, Group, Touched};
+use crate::patch::{LampPatch, Patch, Place};
+use crate::state;
+use glam::Vec3;
+use lampyris::light::Light;
+use lampyris::scene::Edit;
+use serde_json::{Value, json};
+use std::time::Instant;
+
+/// The group of lamps that were added.
+const ADDED: &str = "added";
+
+impl Desk {
+    /// Does something in the gesture at hand, or in one of its own.
+    pub(super) fn in_gesture<R>(&mut self, label: &str, done: impl FnOnce(&mut Desk) -> R) -> R {
+        let alone = self.gesture.is_none();
+        if alone {
+            let label = label.to_owned();
+            self.gesture = Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
+        }
+        let result = done(self);
+        if alone {
+            self.end_gesture();
+        }
+        result
+    }
+
+    /// A lamp more, of the next number, in a group. Undo takes it away, its number stays.
+    pub(super) fn add(&mut self, seq: u32, light: Light, group: Option<u32>) -> Result<bool, String> {
+        let scene = self.scene.as_mut().ok_or("the scene is not there yet")?;
+        let (number, id) = (scene.lights.len() as u32, self.model.lamps.len() as u32);
+        let edit = Edit::AddLight { light: light.clone() };
+        scene.apply(&edit).map_err(|e| e.to_string())?;
+        let emitter = adding::enter(scene, number);
+        let known = self.model.groups.iter().position(|own| own.name == ADDED && !own.gone);
+        let group = group.or(known.map(|at| at as u32)).unwrap_or_else(|| {
+            self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: false });
+            self.model.groups.len() as u32 - 1
+        });
+        self.model.lamps.push(adding::lamp(number, &light, emitter, group));
+        self.studio.edit(vec![edit], seq);
+        let there = LampPatch { gone: Some(false), ..LampPatch::default() };
+        self.edit(seq, Patch { lamps: [(id, there)].into(), ..Patch::default() }, 0.0)?;
+        if let Some(gesture) = &mut self.gesture {
+            gesture.inverse.lamps.entry(id).or_default().gone = Some(true);
+        }
+        let touched = Touched { groups: [group].into(), ..Touched::default() };
+        let patch = self.scene.as_ref().map(|scene| state::of(&self.model, scene, &touched));
+        self.tell_patch(json!(patch));
+        Ok(true)
+    }
+
+    pub(super) fn copy(&mut self, seq: u32, lamps: &[u32], count: u32, step: Vec3) -> Result<bool, String> {
+        for id in lamps {
+            let own =
+                self.model.lamps.get(*id as usize).ok_or_else(|| format!("there is no lamp {id}"))?.clone();
+            let Body::Light(_, file) = &own.body else {
+                return Err(format!(
+                    "{} is part of the building; only lamps that are no surfaces can be copied",
+                    own.name
+                ));
+            };
+            for number in 1..=count {
+                let by = step * number as f32;
+                let shift = |p: Option<Vec3>| p.map(|p| p + by);
+                let place = Place {
+                    position: shift(own.place.position),
+                    aim: shift(own.place.aim),
+                    ..own.place.clone()
+                };
+                let kind = lit_at(file, &place);
+                let light = Light::new(format!("{} {}", own.name, number + 1), kind);
+                self.add(seq, light, Some(own.group))?;
+                let id = self.model.lamps.len() as u32 - 1;
+                let like = LampPatch { level: Some(own.level), on: Some(own.on), ..LampPatch::default() };
+                self.edit(seq, Patch { lamps: [(id, like)].into(), ..Patch::default() }, 0.0)?;
+            }
+        }
+        Ok(true)
+    }
+
+    /// Looks: what all faders stand at.
+    pub(super) fn look(
+        &mut self,
+        seq: u32,
+        (id, name): (Option<u32>, Option<String>),
+        what: &str,
+        seconds: f32,
+    ) -> Result<bool, String> {
+        let looks = &self.model.notes.looks;
+        let known = |id: Option<u32>| id.filter(|id| looks.contains_key(id)).ok_or("there is no such look");
+        let named =
+            |id: u32| looks.get(&id).and_then(|look| look["name"].as_str()).unwrap_or_default().to_owned();
+        let set = |id: u32, look: Option<Value>| Patch { looks: [(id, look)].into(), ..Patch::default() };
+        let (label, patch) = match what {
+            "store" => {
+                let id = looks.keys().next_back().map_or(0, |last| last + 1);
+                let name = name.unwrap_or_else(|| format!("look {}", id + 1));
+                (
+                    format!("Store {name}"),
+                    set(id, Some(json!({"name": name, "patch": state::faders(&self.model)}))),
+                )
+            }
+            "update" => {
+                let id = known(id)?;
+                let look = json!({"name": named(id), "patch": state::faders(&self.model)});
+                (format!("Update {}", named(id)), set(id, Some(look)))
+            }
+            "rename" => {
+                let id = known(id)?;
+                let mut look = looks[&id].clone();
+                look["name"] = name.ok_or("need a name")?.into();
+                (format!("Rename {}", named(id)), set(id, Some(look)))
+            }
+            "remove" => {
+                let id = known(id)?;
+                (format!("Remove {}", named(id)), set(id, None))
+            }
+            "recall" => {
+                let id = known(id)?;
+                let patch = serde_json::from_value(looks[&id]["patch"].clone()).map_err(|e| e.to_string())?;
+                (named(id), patch)
+            }
+            _ => return Err("need store, recall, update, rename or remove".into()),
+        };
+        self.in_gesture(&label, |desk| desk.edit(seq, patch, seconds))
+    }
+
+    /// The way things fall.
+    pub(super) fn down(&self) -> Vec3 {
+        self.scene.as_ref().and_then(|scene| scene.up).map_or(Vec3::NEG_Z, |up| -up)
+    }
+
+    /// An edit of the gesture at hand.
+    pub(super) fn edit(&mut self, seq: u32, patch: Patch, seconds: f32) -> Result<bool, String> {
+        let (mut inverse, traced) = self.carry_out(seq, &patch, seconds)?;
+        if let Some(gesture) = &mut self.gesture {
+            // Forth to the latest, back to the first.
+            let mut forward = patch;
+            forward.over(std::mem::take(&mut gesture.forward));
+            gesture.forward = forward;
+            let mut first = std::mem::take(&mut gesture.inverse);
+            first.over(std::mem::take(&mut inverse));
+            gesture.inverse = first;
+        }
+        Ok(traced)
+    }
+
+    /// Does what a patch says, tells everybody, and returns the patch that takes it back and whether it asks for rays; or
+    /// nothing is changed.
+    pub(super) fn carry_out(
+        &mut self,
+        seq: u32,
+        patch: &Patch,
+        seconds: f32,
+    ) -> Result<(Patch, bool), String> {
+        let Some(scene) = &mut self.scene else { return Err("the scene is not there yet".into()) };
+        let inverse = self.model.apply(patch)?;
+        let touched = Touched::of(patch);
+        let before = (scene.clone(), ());
+        let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
+            let mixed = mix(&self.model, scene)?;
+            let traces = !traced.is_empty() || mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+            traced.extend(mixed);
+            Ok((traced, traces))
+        });
+        match done {
+            Ok((edits, traced)) => {
+                self.studio.edit(edits, seq);
+                self.unsaved.get_or_insert_with(Instant::now);
+                self.screen.mix(self.colors(), seconds);
+                if !touched.meters.is_empty() || !touched.grids.is_empty() {
+                    self.lay_out();
+                }
+                let Some(scene) = &self.scene else { return Ok((inverse, traced)) };
+                let patch = state::of(&self.model, scene, &touched);
+                self.tell_patch_of(seq, patch);
+                Ok((inverse, traced))
+            }
+            Err(why) => {
+                *scene = before.0;
+                self.model.apply(&inverse)?;
+                Err(why)
+            }
+        }
+    }
+
+    pub(super) fn end_gesture(&mut self) {
+        let Some(gesture) = self.gesture.take().filter(|gesture| gesture.forward != gesture.inverse) else {
+            return;
+        };
+        if let Err(error) = self.history.push(&gesture) {
+            self.hub.tell_all(&json!({"is": "event", "what": "unlogged", "why": error.to_string()}));
+        }
+        self.tell_history();
+    }
+}

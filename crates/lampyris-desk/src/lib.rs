@@ -1,0 +1,118 @@
+//! The lighting desk: a session of Lampyris behind a web server of its own, and the page that shows it.
+//!
+//! Four threads, and the renderer's: the *network* talks to clients (`http`, `client`), the *desk* decides what shall be
+//! (`desk`), the *studio* renders it (`studio`), and the *screen* mixes and encodes what is seen (`screen`). None waits for
+//! another: the desk's inbox takes everything, the studio's work and the screen's light keep the latest, and a client who
+//! does not read is let go. What is said between them and a page is in docs/wire.md.
+
+mod adding;
+mod client;
+mod color;
+mod desk;
+mod door;
+mod edits;
+mod error;
+mod history;
+mod http;
+mod hub;
+mod meters;
+mod mixer;
+mod model;
+mod opening;
+mod page;
+mod patch;
+mod saver;
+mod saving;
+mod screen;
+mod state;
+mod studio;
+mod wire;
+
+pub use error::{Error, Result};
+pub use studio::Opened;
+
+use desk::{Desk, Event, Inbox, Parts};
+use door::Door;
+use hub::Hub;
+use screen::Screen;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use studio::Studio;
+
+/// How a desk is set up.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Where to listen; port 0 for a free one.
+    pub address: SocketAddr,
+    /// Whether the address may be reached from other machines.
+    pub exposed: bool,
+    /// The file that the scene comes from.
+    pub file: PathBuf,
+    /// Width and height of pictures before a page says what it has room for [pixels].
+    pub size: [u32; 2],
+    /// Batches after which a picture is finished.
+    pub batches: u32,
+    /// Threads that render; all cores where `None`.
+    pub threads: Option<usize>,
+    /// Whether to end when the last page is closed.
+    pub ends_with_page: bool,
+}
+
+/// What ends a desk from outside.
+#[derive(Clone)]
+pub struct Ender(Inbox);
+
+impl Ender {
+    /// Ends it.
+    pub fn end(&self) {
+        self.0.put(Event::End);
+    }
+}
+
+/// Serves a desk until it ends. `ready` is told the link to edit as soon as it can be opened, and how to end; `open` reads the
+/// scene.
+///
+/// # Errors
+/// Where the address cannot be listened on, or the system refuses a thread; and what `open` says.
+pub fn serve<E: From<Error> + Send>(
+    options: Options,
+    ready: impl FnOnce(&str, Ender),
+    open: impl FnOnce() -> std::result::Result<Opened, E> + Send,
+) -> std::result::Result<(), E> {
+    if !options.address.ip().is_loopback() && !options.exposed {
+        return Err(Error::Exposed(options.address).into());
+    }
+    let listener = http::listen(options.address)?;
+    let address = listener
+        .local_addr()
+        .map_err(|e| Error::CannotListen { address: options.address, reason: e.to_string() })?;
+    let door = Arc::new(Door::new(address)?);
+    let (inbox, events) = Inbox::new();
+    let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
+    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone());
+    let parts = Parts {
+        hub: hub.clone(),
+        door: door.clone(),
+        studio: studio.clone(),
+        screen: screen.clone(),
+        file: options.file.clone(),
+        build: server.build.clone(),
+        ends_alone: options.ends_with_page,
+    };
+    let desk = Desk::new(parts)?;
+    server.start(listener)?;
+    let link = door.links().first().map(|link| door.address_of(link)).unwrap_or_default();
+    ready(&link, Ender(inbox.clone()));
+    std::thread::scope(|scope| {
+        scope.spawn(move || desk.run(&events));
+        let metered = inbox.clone();
+        scope.spawn(|| screen.run(&hub, move |ev| metered.put(Event::Metered { ev })));
+        let done = open()
+            .and_then(|opened| studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from));
+        if done.is_err() {
+            inbox.put(Event::End);
+        }
+        done
+    })
+}

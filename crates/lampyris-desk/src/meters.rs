@@ -1,0 +1,122 @@
+//! Meters and grids as people lay them out, as points to measure; and what the points read, as what is said of them.
+
+use crate::model::{Model, Notes};
+use crate::wire::Look;
+use glam::Vec3;
+use lampyris::eye::Meter;
+use lampyris::measuring::{BORDER, Estimate, Kind, MOST, Rectangle, Statistics};
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+use std::ops::Range;
+
+/// Points in the order in which they are measured, and whose they are.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Layout {
+    pub(crate) points: Vec<Meter>,
+    meters: Vec<(u32, Range<usize>)>,
+    grids: Vec<(u32, Range<usize>, f64)>,
+}
+
+/// Points of all meters and grids together.
+const POINTS: usize = 4 * MOST as usize;
+
+#[derive(Deserialize)]
+struct Laid {
+    #[serde(default)]
+    kind: String,
+    point: Vec3,
+    normal: Option<Vec3>,
+}
+
+#[derive(Deserialize)]
+struct Area {
+    corner: Vec3,
+    u: Vec3,
+    v: Vec3,
+    normal: Option<Vec3>,
+    columns: Option<u32>,
+    rows: Option<u32>,
+    border: Option<f32>,
+    maintenance: Option<f32>,
+}
+
+impl Layout {
+    /// Of what a model has; what makes no sense is left out.
+    pub(crate) fn of(model: &Model, up: Vec3, look: Option<&Look>) -> Layout {
+        let mut layout = Layout::default();
+        let Notes { meters, grids, .. } = &model.notes;
+        for (id, note) in meters {
+            let Ok(laid) = Laid::deserialize(note) else { continue };
+            let kind = match laid.kind.as_str() {
+                "horizontal" => Kind::Horizontal,
+                "vertical" => Kind::Vertical { toward: laid.normal.unwrap_or(Vec3::X) },
+                "cylindrical" => Kind::Cylindrical,
+                "camera" => Kind::Toward { eye: look.map_or(laid.point + up, |look| look.eye) },
+                _ => Kind::Surface { normal: laid.normal.unwrap_or(up) },
+            };
+            layout.add(kind.meters(laid.point, up), |layout, points| layout.meters.push((*id, points)));
+        }
+        for (id, note) in grids {
+            let Ok(area) = Area::deserialize(note) else { continue };
+            let factor = f64::from(area.maintenance.filter(|f| *f > 0.0 && *f <= 1.0).unwrap_or(1.0));
+            let points = area.points(up);
+            layout.add(points, |layout, points| layout.grids.push((*id, points, factor)));
+        }
+        layout
+    }
+
+    fn add(&mut self, points: Vec<Meter>, note: impl FnOnce(&mut Layout, Range<usize>)) {
+        let start = self.points.len();
+        let sound = points.iter().all(|m| m.position.is_finite() && m.normal.is_finite());
+        if points.is_empty() || !sound || start + points.len() > POINTS {
+            return;
+        }
+        self.points.extend(points);
+        note(self, start..self.points.len());
+    }
+
+    /// What is said of meters and grids whose points read so, by slice and number.
+    pub(crate) fn told(&self, readings: &[Estimate]) -> Value {
+        let told = |reading: Estimate| json!([reading.value, reading.error]);
+        let meters = self.meters.iter().filter_map(|(id, points)| {
+            let reading = Kind::reading(readings.get(points.clone())?);
+            Some((id.to_string(), json!({"lux": told(reading)})))
+        });
+        let grids = self.grids.iter().filter_map(|(id, points, factor)| {
+            let readings = readings.get(points.clone())?;
+            let s = Statistics::of(readings, *factor)?;
+            let lux: Vec<f64> = readings.iter().map(|reading| reading.value * factor).collect();
+            let told = json!({
+                "lux": lux, "mean": s.mean.value, "error": s.mean.error, "min": s.least.value, "max": s.greatest.value,
+                "uniformity": s.uniformity.value, "diversity": s.diversity.value, "count": s.count,
+            });
+            Some((id.to_string(), told))
+        });
+        let (meters, grids): (Map<String, Value>, Map<String, Value>) = (meters.collect(), grids.collect());
+        json!({"meters": meters, "grids": grids})
+    }
+}
+
+impl Area {
+    /// As many points as it says, or as the standard asks.
+    fn points(&self, up: Vec3) -> Vec<Meter> {
+        let normal = self.normal.unwrap_or(up).normalize_or(up);
+        let (Some(columns), Some(rows)) = (self.columns, self.rows) else {
+            let (border, maintenance) = (self.border.unwrap_or(BORDER), 1.0);
+            let area =
+                Rectangle { corner: self.corner, edges: [self.u, self.v], normal, border, maintenance };
+            return area.grid().map_or(Vec::new(), |grid| grid.meters);
+        };
+        if columns == 0 || rows == 0 || u64::from(columns) * u64::from(rows) > u64::from(MOST) {
+            return Vec::new();
+        }
+        let along = |k: u32, count: u32| (k as f32 + 0.5) / count as f32;
+        let cells = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        cells
+            .map(|(x, y)| Meter {
+                position: self.corner + self.u * along(x, columns) + self.v * along(y, rows),
+                normal,
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,145 @@
+//! Levels and colours of lamps as a mix of layers, which costs no ray. Lamps that shall be alike may share a layer; one that
+//! shall differ from the others of its layer gets a layer to itself, as long as there are some.
+
+use crate::model::{Lamp, Model};
+use lampyris::Rgb;
+use lampyris::scene::{Edit, Scene};
+
+/// Most layers that lamps are taken apart into: each costs 24 bytes a pixel, and its share of every batch.
+pub(crate) const LAYERS: usize = 24;
+
+/// What a lamp's light is multiplied by, by the colour of its layer when the scene was opened.
+fn wanted(model: &Model, lamp: &Lamp, base: Rgb) -> Rgb {
+    let level = model.level_of(lamp);
+    if level == 0.0 {
+        return Rgb::BLACK;
+    }
+    let color = lamp.color.light().map_or(base, |color| {
+        // Light is linear channel by channel; a channel that a lamp does not have stays dark.
+        let channel = |k: usize| if lamp.shining[k] > 1e-6 { color[k] / lamp.shining[k] } else { 0.0 };
+        Rgb::new(channel(0), channel(1), channel(2))
+    });
+    color * level
+}
+
+/// Brings the layers of a scene to what a model wants of them, and returns the edits that did so; or why there are too few
+/// layers, and the scene is as it was.
+pub(crate) fn mix(model: &Model, scene: &mut Scene) -> Result<Vec<Edit>, String> {
+    let before = (scene.groups.clone(), scene.reference.clone());
+    let mut edits = Vec::new();
+    let done = separate(model, scene, &mut edits);
+    if done.is_err() {
+        (scene.groups, scene.reference) = before;
+    }
+    done.map(|()| edits)
+}
+
+fn separate(model: &Model, scene: &mut Scene, edits: &mut Vec<Edit>) -> Result<(), String> {
+    let mut colors: Vec<Option<Rgb>> = vec![None; scene.reference.shares.len()];
+    for lamp in &model.lamps {
+        for (emitter, base) in &lamp.emitters {
+            if let Some(color) = colors.get_mut(*emitter as usize) {
+                *color = Some(wanted(model, lamp, *base));
+            }
+        }
+    }
+    let mut act = |scene: &mut Scene, edit: Edit| -> Result<(), String> {
+        scene.apply(&edit).map_err(|e| e.to_string())?;
+        edits.push(edit);
+        Ok(())
+    };
+    for group in 0..scene.groups.len() as u16 {
+        let mut classes = classes(scene, &colors, group);
+        // The largest stays; of equal ones the first.
+        let largest = (0..classes.len()).rev().max_by_key(|k| classes[*k].1.len());
+        let Some(largest) = largest else { continue };
+        let (color, _) = classes.remove(largest);
+        for (color, emitters) in classes {
+            let to = place_for(scene, &colors, group, color).ok_or_else(|| {
+                format!(
+                    "all {LAYERS} layers are in use: lamps that shall differ from each other must be fewer"
+                )
+            })?;
+            if let Place::Cleared { from, to } = to {
+                let emitters = members(scene, from);
+                act(scene, Edit::Regroup { emitters, group: to })?;
+            }
+            let to = match to {
+                Place::Group(to) => to,
+                Place::Cleared { from, .. } => from,
+            };
+            act(scene, Edit::Regroup { emitters, group: to })?;
+            dye(scene, to, color, &mut act)?;
+        }
+        if let Some(color) = color {
+            dye(scene, group, Some(color), &mut act)?;
+        }
+    }
+    Ok(())
+}
+
+/// Gives a layer a colour, if it has another.
+fn dye(
+    scene: &mut Scene,
+    group: u16,
+    color: Option<Rgb>,
+    act: &mut impl FnMut(&mut Scene, Edit) -> Result<(), String>,
+) -> Result<(), String> {
+    match color.filter(|color| scene.groups[usize::from(group)].color != *color) {
+        Some(color) => act(scene, Edit::Mix { group, color }),
+        None => Ok(()),
+    }
+}
+
+/// Where lamps may go.
+enum Place {
+    Group(u16),
+    /// Into one layer, when its lamps have gone to those of another that shall look the same.
+    Cleared {
+        from: u16,
+        to: u16,
+    },
+}
+
+fn members(scene: &Scene, group: u16) -> Vec<u32> {
+    let shares = (0..).zip(&scene.reference.shares);
+    shares.filter(|(_, share)| share.group == group).map(|(number, _)| number).collect()
+}
+
+/// Emitters of a layer by what is wanted of them; of those that are nobody's nothing is.
+fn classes(scene: &Scene, colors: &[Option<Rgb>], group: u16) -> Vec<(Option<Rgb>, Vec<u32>)> {
+    let mut classes: Vec<(Option<Rgb>, Vec<u32>)> = Vec::new();
+    for emitter in members(scene, group) {
+        let color = colors[emitter as usize];
+        match classes.iter_mut().find(|(own, _)| *own == color) {
+            Some((_, all)) => all.push(emitter),
+            None => classes.push((color, vec![emitter])),
+        }
+    }
+    classes
+}
+
+/// A layer for lamps that shall be of a colour, taken out of `not`.
+fn place_for(scene: &Scene, colors: &[Option<Rgb>], not: u16, color: Option<Rgb>) -> Option<Place> {
+    let others = || (0..scene.groups.len() as u16).filter(move |group| *group != not);
+    if let Some(empty) = others().find(|group| members(scene, *group).is_empty()) {
+        return Some(Place::Group(empty));
+    }
+    if scene.groups.len() < LAYERS {
+        return Some(Place::Group(scene.groups.len() as u16));
+    }
+    let whole: Vec<(u16, Option<Rgb>)> = others()
+        .filter_map(|group| match classes(scene, colors, group).as_slice() {
+            [(color, _)] => Some((group, *color)),
+            _ => None,
+        })
+        .collect();
+    if let Some((group, _)) = whole.iter().find(|(_, own)| *own == color) {
+        return Some(Place::Group(*group));
+    }
+    let twin = |(to, own): &(u16, Option<Rgb>)| {
+        let from = whole.iter().find(|(from, other)| from > to && own == other)?;
+        Some(Place::Cleared { from: from.0, to: *to })
+    };
+    whole.iter().find_map(twin)
+}

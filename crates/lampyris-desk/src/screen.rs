@@ -1,0 +1,241 @@
+//! From light to the bytes of a frame, on a thread of its own: while the next batch is traced, a fader that is moved is
+//! seen. Of what is to be shown only the latest is.
+
+use crate::hub::{CameraText, Hub, Shown};
+use crate::wire::{Head, Kind};
+use jpeg_encoder::{ColorType, SamplingFactor};
+use lampyris::Rgb;
+use lampyris::frame::Still;
+use lampyris::output::{Display, Exposure, Picture, ToneCurve, display};
+use std::collections::VecDeque;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The light of a picture, before it is mixed.
+#[derive(Clone, Default)]
+pub(crate) struct Light {
+    pub(crate) size: [u32; 2],
+    pub(crate) still: Option<Arc<Still>>,
+    pub(crate) camera: Arc<CameraText>,
+    pub(crate) look: Option<Arc<crate::wire::Look>>,
+    pub(crate) batches: u32,
+    pub(crate) error: f32,
+    pub(crate) kind: Option<Kind>,
+    /// The last message of the editor that asked for rays and is in it.
+    pub(crate) seq: u32,
+    /// How long it took [s].
+    pub(crate) seconds: f32,
+}
+
+/// How it is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Show {
+    /// `None` until it was metered.
+    pub(crate) ev: Option<f32>,
+    pub(crate) tone: ToneCurve,
+    /// What each channel is multiplied by.
+    pub(crate) white: Rgb,
+}
+
+impl Default for Show {
+    fn default() -> Self {
+        Show { ev: None, tone: ToneCurve::default(), white: Rgb::WHITE }
+    }
+}
+
+#[derive(Default)]
+struct Wanted {
+    light: Light,
+    /// Level and colour of each layer, and those from which they are faded to.
+    colors: Vec<Rgb>,
+    fade: Option<Fade>,
+    show: Show,
+    /// The last message of the editor that was applied, and the last that asked for rays.
+    seq: u32,
+    traced: u32,
+    changed: bool,
+    ended: bool,
+    frames: VecDeque<(u32, Frame)>,
+    number: u32,
+}
+
+/// From one mix to another.
+struct Fade {
+    from: Vec<Rgb>,
+    began: Instant,
+    lasts: Duration,
+}
+
+impl Wanted {
+    /// The mix at this moment, and whether it is still another one than it will be.
+    fn mix(&mut self) -> (Vec<Rgb>, bool) {
+        let Some(fade) = &self.fade else { return (self.colors.clone(), false) };
+        let passed = fade.began.elapsed().as_secs_f32() / fade.lasts.as_secs_f32().max(1e-3);
+        if passed >= 1.0 {
+            self.fade = None;
+            return (self.colors.clone(), false);
+        }
+        let between = |(to, from): (&Rgb, &Rgb)| *from * (1.0 - passed) + *to * passed;
+        let pairs = self.colors.iter().zip(fade.from.iter().chain(self.colors.iter().skip(fade.from.len())));
+        (pairs.map(between).collect(), true)
+    }
+}
+
+/// A frame that somebody may still ask about.
+#[derive(Clone)]
+pub(crate) struct Frame {
+    pub(crate) look: Arc<crate::wire::Look>,
+    pub(crate) size: [u32; 2],
+}
+
+/// Frames that can be asked about.
+const ASKED: usize = 64;
+
+/// The screen.
+pub(crate) struct Screen {
+    wanted: Mutex<Wanted>,
+    wake: Condvar,
+}
+
+impl Screen {
+    pub(crate) fn new() -> Screen {
+        Screen { wanted: Mutex::default(), wake: Condvar::new() }
+    }
+
+    /// New light is there.
+    pub(crate) fn light(&self, light: Light) {
+        self.change(|wanted| wanted.light = light);
+    }
+
+    /// It is shown otherwise.
+    pub(crate) fn show(&self, show: Show) {
+        self.change(|wanted| wanted.show = show);
+    }
+
+    /// The layers have other levels and colours, faded to in so many seconds.
+    pub(crate) fn mix(&self, colors: Vec<Rgb>, seconds: f32) {
+        self.change(|wanted| {
+            let (from, _) = wanted.mix();
+            let lasts = Duration::from_secs_f32(seconds.clamp(0.0, 3600.0));
+            wanted.fade = (seconds > 0.0).then(|| Fade { from, began: Instant::now(), lasts });
+            wanted.colors = colors;
+        });
+    }
+
+    /// The editor's message of that number was applied; some ask for rays.
+    pub(crate) fn applied(&self, seq: u32, traced: bool) {
+        self.change(|wanted| {
+            wanted.seq = seq;
+            wanted.traced = if traced { seq } else { wanted.traced };
+        });
+    }
+
+    /// The camera and size of a frame that was shown.
+    pub(crate) fn frame(&self, number: u32) -> Option<Frame> {
+        self.wanted().frames.iter().find(|(own, _)| *own == number).map(|(_, frame)| frame.clone())
+    }
+
+    pub(crate) fn end(&self) {
+        self.change(|wanted| wanted.ended = true);
+    }
+
+    /// Makes frames until the end; `metered` is told of an exposure that was found.
+    pub(crate) fn run(&self, hub: &Hub, metered: impl Fn(f32)) {
+        loop {
+            let mut wanted = self.wanted();
+            while !wanted.changed && !wanted.ended {
+                wanted = self.wake.wait(wanted).unwrap_or_else(PoisonError::into_inner);
+            }
+            if wanted.ended {
+                return;
+            }
+            let (colors, fading) = wanted.mix();
+            wanted.changed = fading;
+            let (light, mut show) = (wanted.light.clone(), wanted.show);
+            let (Some(kind), Some(look), Some(still)) = (light.kind, light.look.clone(), light.still.clone())
+            else {
+                wanted.changed = false;
+                continue;
+            };
+            // What asked for rays and is not there yet holds back the number of what came after.
+            let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
+            wanted.number += 1;
+            let number = wanted.number;
+            wanted.frames.push_back((number, Frame { look, size: light.size }));
+            if wanted.frames.len() > ASKED {
+                wanted.frames.pop_front();
+            }
+            drop(wanted);
+            let begun = Instant::now();
+            let radiance = still.mix(&colors);
+            if show.ev.is_none() {
+                let ev = Exposure::Auto.ev(&radiance);
+                show.ev = Some(ev);
+                self.wanted().show.ev = Some(ev);
+                metered(ev);
+            }
+            let Some(picture) = encode(radiance, light.size, &show, kind) else { continue };
+            let lossless = kind == Kind::Final;
+            let head = Head {
+                number,
+                seq,
+                camera: light.camera.number,
+                size: light.size,
+                kind,
+                lossless,
+                false_color: false,
+                batches: light.batches,
+                error: light.error,
+                light: light.seconds,
+                bytes: begun.elapsed().as_secs_f32(),
+            };
+            let bytes = [&head.write()[..], &picture].concat();
+            hub.show(Shown { bytes, camera: light.camera });
+            // A fade is not shown more often than a display shows it.
+            if fading {
+                std::thread::sleep(Duration::from_millis(25).saturating_sub(begun.elapsed()));
+            }
+        }
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Wanted)) {
+        let mut wanted = self.wanted();
+        change(&mut wanted);
+        wanted.changed = true;
+        self.wake.notify_one();
+    }
+
+    fn wanted(&self) -> MutexGuard<'_, Wanted> {
+        self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// JPEG while it is not final, then PNG.
+fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
+    if show.white != Rgb::WHITE {
+        radiance.iter_mut().for_each(|c| *c *= show.white);
+    }
+    let options = Display {
+        exposure: Exposure::Ev(show.ev.unwrap_or(0.0)),
+        tone: Some(show.tone),
+        despeckle: kind != Kind::Moving,
+    };
+    let pixels = display(&Picture::new(width, height, radiance), &options);
+    let pixels = pixels.as_flattened();
+    let mut bytes = Vec::new();
+    let (quality, sampling) = match kind {
+        Kind::Moving => (80, SamplingFactor::R_4_2_0),
+        Kind::Settled => (92, SamplingFactor::R_4_4_4),
+        Kind::Final => {
+            let mut encoder = png::Encoder::new(&mut bytes, width, height);
+            encoder.set_color(png::ColorType::Rgb);
+            encoder.set_compression(png::Compression::Fast);
+            encoder.write_header().ok()?.write_image_data(pixels).ok()?;
+            return Some(bytes);
+        }
+    };
+    let mut encoder = jpeg_encoder::Encoder::new(&mut bytes, quality);
+    encoder.set_sampling_factor(sampling);
+    encoder.encode(pixels, width as u16, height as u16, ColorType::Rgb).ok()?;
+    Some(bytes)
+}

@@ -1,0 +1,505 @@
+//! The renderer's thread: it owns the session, does what it is asked between batches, and hands light to the screen. While
+//! something moves it draws small pictures, so that many of them fit into a second.
+
+use crate::Options;
+use crate::desk::{Event, Inbox};
+use crate::error::Result;
+use crate::hub::CameraText;
+use crate::opening;
+use crate::saver::Saver;
+use crate::saving;
+use crate::screen::{Frame, Light, Screen};
+use crate::wire::{Kind, LEAST, Look};
+use glam::Vec3;
+use lampyris::Rgb;
+use lampyris::backend::Settings;
+use lampyris::cpu::Cpu;
+use lampyris::document::{self, Document};
+use lampyris::eye::Meter;
+use lampyris::frame::Frame as Sums;
+use lampyris::measuring::Estimate;
+use lampyris::scene::{Camera, Edit, Mesh, Scene, View, find_view, upward};
+use lampyris::session::Session;
+use lampyris::world::World;
+use serde_json::Value;
+use std::f32::consts::PI;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Light groups that lamps are sorted into when a scene opens.
+pub(crate) const GROUPS: usize = 16;
+
+/// How long nothing must move before the picture is drawn in its full size.
+const REST: Duration = Duration::from_millis(160);
+
+/// What a sketch shall take while something moves [s], and the shares of the full edges that it may have.
+const QUICK: f32 = 0.06;
+const EDGES: [f32; 4] = [0.75, 0.5, 0.375, 0.25];
+
+/// Batches of a sketch, if nothing moves on meanwhile.
+const SKETCHED: u32 = 4;
+
+/// Batches of meters, and light paths of each.
+const METERED: u32 = 64;
+const METER_PATHS: u32 = 512;
+
+/// How often a picture is sent that hardly changes.
+const SELDOM: Duration = Duration::from_millis(400);
+
+/// Relative error at which a picture is good.
+pub(crate) const GOOD: f32 = 0.02;
+
+/// A scene to open, and how.
+pub struct Opened {
+    /// The scene, and what was edited in it before.
+    pub document: document::Opened,
+    /// From where to look, if the arguments say so.
+    pub camera: Option<Camera>,
+}
+
+/// What is to be done, until it is.
+#[derive(Default)]
+struct Work {
+    /// From where to look, the number of that camera, and the message that asked.
+    camera: Option<(Look, u32, u32)>,
+    size: Option<[u32; 2]>,
+    /// Edits in order; of those of one thing that follow each other only the last.
+    edits: Vec<(Edit, u32)>,
+    questions: Vec<Asked>,
+    /// Where to measure from now on.
+    meters: Option<Vec<Meter>>,
+    /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
+    save: Option<(Value, Option<String>)>,
+    ended: bool,
+}
+
+/// A question about a frame that was shown.
+pub(crate) struct Asked {
+    pub(crate) client: u64,
+    pub(crate) id: u32,
+    pub(crate) frame: Frame,
+    pub(crate) at: [f32; 2],
+}
+
+/// What lies behind a pixel.
+pub(crate) struct Found {
+    pub(crate) point: Vec3,
+    pub(crate) normal: Vec3,
+    pub(crate) instance: u32,
+    pub(crate) material: u32,
+    pub(crate) emitter: Option<u32>,
+}
+
+/// How far a picture is.
+#[derive(Clone, Debug)]
+pub(crate) struct Progress {
+    pub(crate) stage: &'static str,
+    pub(crate) batches: u32,
+    /// Half the relative 95 % interval of the mean.
+    pub(crate) error: f32,
+    pub(crate) good_in: Option<f32>,
+    pub(crate) fps: f32,
+    pub(crate) size: [u32; 2],
+    pub(crate) layers: Vec<(u32, u32, bool)>,
+}
+
+/// The way to the thread.
+pub(crate) struct Studio {
+    work: Mutex<Work>,
+    wake: Condvar,
+    /// What is to be done makes the batch at hand pointless, or shall not wait for it.
+    urgent: AtomicBool,
+}
+
+impl Studio {
+    pub(crate) fn new() -> Studio {
+        Studio { work: Mutex::default(), wake: Condvar::new(), urgent: AtomicBool::new(false) }
+    }
+
+    /// Looks from elsewhere.
+    pub(crate) fn look(&self, look: Look, number: u32, seq: u32) {
+        self.put(true, |work| work.camera = Some((look, number, seq)));
+    }
+
+    /// Draws in another size.
+    pub(crate) fn resize(&self, size: [u32; 2]) {
+        self.put(true, |work| work.size = Some(size));
+    }
+
+    /// Edits the scene.
+    pub(crate) fn edit(&self, edits: Vec<Edit>, seq: u32) {
+        let urgent = edits.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+        self.put(urgent, |work| {
+            for edit in edits {
+                match work.edits.last_mut().filter(|(last, _)| replaces(&edit, last)) {
+                    Some(last) => *last = (edit, seq),
+                    None => work.edits.push((edit, seq)),
+                }
+            }
+        });
+    }
+
+    /// Asks what lies behind a pixel.
+    pub(crate) fn ask(&self, asked: Asked) {
+        self.put(true, |work| work.questions.push(asked));
+    }
+
+    pub(crate) fn end(&self) {
+        self.put(true, |work| work.ended = true);
+    }
+
+    /// Measures at some points, in the place of those before.
+    pub(crate) fn measure(&self, meters: Vec<Meter>) {
+        self.put(false, |work| work.meters = Some(meters));
+    }
+
+    /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
+    pub(crate) fn save(&self, desk: Value, name: Option<String>) {
+        self.put(false, |work| work.save = Some((desk, name)));
+    }
+
+    fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {
+        let mut work = self.work();
+        put(&mut work);
+        if urgent {
+            self.urgent.store(true, Ordering::Relaxed);
+        }
+        self.wake.notify_one();
+    }
+
+    fn work(&self) -> MutexGuard<'_, Work> {
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What there is to do; waits for it until a time, for ever where there is none.
+    fn take(&self, until: Option<Instant>) -> Work {
+        let mut work = self.work();
+        let idle = |work: &Work| {
+            !work.ended
+                && work.camera.is_none()
+                && work.size.is_none()
+                && work.edits.is_empty()
+                && work.questions.is_empty()
+                && work.save.is_none()
+                && work.meters.is_none()
+        };
+        while idle(&work) {
+            work = match until.map(|until| until.saturating_duration_since(Instant::now())) {
+                Some(Duration::ZERO) => break,
+                Some(left) => self.wake.wait_timeout(work, left).unwrap_or_else(PoisonError::into_inner).0,
+                None => self.wake.wait(work).unwrap_or_else(PoisonError::into_inner),
+            };
+        }
+        self.urgent.store(false, Ordering::Relaxed);
+        std::mem::take(&mut work)
+    }
+}
+
+/// Whether an edit makes the one before it pointless.
+fn replaces(edit: &Edit, last: &Edit) -> bool {
+    match (edit, last) {
+        (Edit::Light { light: a, .. }, Edit::Light { light: b, .. }) => a == b,
+        (Edit::Move { instance: a, .. }, Edit::Move { instance: b, .. }) => a == b,
+        (Edit::Material { material: a, .. }, Edit::Material { material: b, .. }) => a == b,
+        (Edit::Mix { group: a, .. }, Edit::Mix { group: b, .. }) => a == b,
+        _ => false,
+    }
+}
+
+/// The session with all that is known of its picture.
+struct Stage {
+    session: Session,
+    /// The scene as its file has it, without its geometry.
+    before: Scene,
+    document: Document,
+    saver: Saver,
+    look: Arc<Look>,
+    camera: Arc<CameraText>,
+    size: [u32; 2],
+    sketch: [u32; 2],
+    /// Batches after which a picture is finished.
+    enough: u32,
+    /// The last message that asked for rays and was followed.
+    seq: u32,
+    /// When something moved last.
+    moved: Option<Instant>,
+    /// What a pixel of a sketch takes in a batch [s].
+    pixel: f32,
+    shown: Instant,
+}
+
+/// Whose batch is next.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    Sketch,
+    Picture,
+    Meters,
+}
+
+/// Opens a scene and renders it until the end.
+pub(crate) fn run(
+    studio: &Studio,
+    opened: Opened,
+    options: &Options,
+    screen: &Screen,
+    inbox: &Inbox,
+) -> Result<()> {
+    let Options { size, threads, batches, .. } = *options;
+    let Opened { mut document, camera } = opened;
+    let (scene, own) = (std::mem::take(&mut document.scene), document.document.clone());
+    let cpu = Cpu::new(threads)?;
+    let mut world = cpu.install(|| World::new(scene));
+    cpu.install(|| world.separate(own.layers.map_or(GROUPS, |layers| layers as usize)))?;
+    let scene = world.scene();
+    let aspect = size[0] as f32 / size[1] as f32;
+    let found = || find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera;
+    let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
+    let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
+    let look = Arc::new(Look::from(&camera));
+    world.apply(&Edit::View { camera: Some(camera) })?;
+    let mut model = opening::open(&world);
+    let lost =
+        saving::restore(&mut model, &own.desk).into_iter().map(|lost| format!("not found any more: {lost}"));
+    let warnings = document.warnings.iter().cloned().chain(lost).collect();
+    let scene = Box::new(bare(world.scene()));
+    let session = Session::begin(cpu, world, size, &Settings::interactive())?;
+    inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
+    let before = document.before.clone();
+    let saver = Saver::start(document, inbox.clone())?;
+    let mut stage = Stage {
+        session,
+        before,
+        document: own,
+        saver,
+        camera: Arc::new(camera_text(&look, 0)),
+        look,
+        size,
+        sketch: [0; 2],
+        enough: batches,
+        seq: 0,
+        moved: None,
+        pixel: 0.0,
+        shown: Instant::now(),
+    };
+    stage.work(studio, screen, inbox)
+}
+
+/// A scene without its geometry: what edits are tried on.
+fn bare(scene: &Scene) -> Scene {
+    let meshes = vec![Mesh::default(); scene.meshes.len()];
+    Scene { meshes, up: Some(upward(scene)), ..document::outline(scene) }
+}
+
+pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
+    let mut text = serde_json::to_value(look).unwrap_or_default();
+    (text["is"], text["number"]) = ("camera".into(), number.into());
+    CameraText { number, text: text.to_string() }
+}
+
+/// A batch that is soon done, of a picture that is soon another.
+fn sketchy() -> Settings {
+    let own = Settings::interactive();
+    Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, edges: 0, ..own }
+}
+
+impl Stage {
+    fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<()> {
+        let mut last = Turn::Meters;
+        loop {
+            let (turn, until) = self.turn(last);
+            let work = studio.take(until);
+            if work.ended {
+                return self.follow(work, inbox);
+            }
+            self.follow(work, inbox)?;
+            // What was asked may have changed whose turn it is.
+            let Some(turn) = self.turn(last).0.or(turn) else { continue };
+            let go_on = || !studio.urgent.load(Ordering::Relaxed);
+            let begun = Instant::now();
+            let done = match turn {
+                Turn::Sketch => self.session.step_sketch(&go_on)?,
+                Turn::Picture => self.session.step_while(&go_on)?,
+                Turn::Meters => self.session.step_meters(&go_on)?,
+            };
+            if !done {
+                continue;
+            }
+            last = turn;
+            let seconds = begun.elapsed().as_secs_f32();
+            match turn {
+                Turn::Sketch => {
+                    let pixel = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
+                    self.pixel = if self.pixel == 0.0 { pixel } else { 0.7 * self.pixel + 0.3 * pixel };
+                    self.show(Turn::Sketch, seconds, screen, inbox)?;
+                }
+                Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
+                Turn::Meters => {
+                    let readings = self.session.meters().map(read).unwrap_or_default();
+                    inbox.put(Event::Measured { readings });
+                }
+            }
+        }
+    }
+
+    /// Whose turn it is, if it is anybody's, and until when there is nothing to do but what is asked.
+    fn turn(&mut self, last: Turn) -> (Option<Turn>, Option<Instant>) {
+        let now = Instant::now();
+        let rest = self.moved.map(|at| at + REST).filter(|rest| *rest > now);
+        let sketched = self.session.sketched().map_or(0, Sums::batches);
+        if let Some(rest) = rest {
+            return if sketched < SKETCHED { (Some(Turn::Sketch), Some(now)) } else { (None, Some(rest)) };
+        }
+        let picture = !self.session.is_current() || self.batches() < self.enough;
+        let meters = self.session.meters().is_some_and(|frame| frame.batches() < METERED);
+        match (picture, meters) {
+            (true, true) if last == Turn::Picture => (Some(Turn::Meters), Some(now)),
+            (true, _) => (Some(Turn::Picture), Some(now)),
+            (false, true) => (Some(Turn::Meters), Some(now)),
+            (false, false) => (None, None),
+        }
+    }
+
+    fn batches(&mut self) -> u32 {
+        self.session.frame().map_or(0, Sums::batches)
+    }
+
+    /// Does what was asked.
+    fn follow(&mut self, work: Work, inbox: &Inbox) -> Result<()> {
+        for (edit, seq) in work.edits {
+            match self.session.edit(&edit) {
+                Err(error) => inbox.put(Event::Refused { why: error.to_string() }),
+                Ok(changes) => {
+                    let lights = !changes.groups.is_empty() && !matches!(edit, Edit::Regroup { .. });
+                    if changes.restarts_all() || lights {
+                        self.begin_to_move()?;
+                    }
+                    self.seq = self.seq.max(seq);
+                }
+            }
+        }
+        if let Some(size) = work.size.filter(|size| *size != self.size) {
+            self.size = size;
+            self.session.resize(size)?;
+            self.moved = None;
+        }
+        if let Some((look, number, seq)) = work.camera {
+            self.begin_to_move()?;
+            self.seq = self.seq.max(seq);
+            self.camera = Arc::new(camera_text(&look, number));
+            if look.near != self.look.near {
+                self.session.cut(look.near)?;
+            }
+            self.session.edit(&Edit::View { camera: Some(look.camera()) })?;
+            self.look = Arc::new(look);
+        }
+        if let Some(meters) = work.meters {
+            let settings =
+                Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() };
+            self.session.measure(&meters, &settings)?;
+        }
+        self.session.forget();
+        if let Some((desk, name)) = work.save {
+            let mut document = Document::of(&self.before, self.session.scene()?);
+            document.scene = self.document.scene.clone();
+            (document.layers, document.desk) = (Some(GROUPS as u32), desk);
+            self.saver.save(document, name);
+        }
+        for asked in work.questions {
+            let found = self.find(&asked);
+            inbox.put(Event::Found { client: asked.client, id: asked.id, found });
+        }
+        Ok(())
+    }
+
+    /// Something moves: there is to be a sketch, as large as can be drawn quickly. While it moves it keeps its size.
+    fn begin_to_move(&mut self) -> Result<()> {
+        let rested = self.moved.is_none_or(|at| at.elapsed() > REST);
+        self.moved = Some(Instant::now());
+        let pixels = (self.size[0] * self.size[1]) as f32;
+        let fits = |edge: &&f32| self.pixel * pixels * **edge * **edge < QUICK;
+        let edge = EDGES.iter().find(fits).unwrap_or(&EDGES[EDGES.len() - 1]);
+        // The first sketch of all tells how quick this machine is.
+        let edge = if self.pixel == 0.0 { EDGES[2] } else { *edge };
+        let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
+        if rested && sketch != self.sketch {
+            self.sketch = sketch;
+            self.session.sketch(Some((sketch, sketchy())))?;
+        }
+        Ok(())
+    }
+
+    /// Hands what was drawn to the screen, and tells how far it is.
+    fn show(&mut self, turn: Turn, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
+        let sketched = turn == Turn::Sketch;
+        let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
+        let frame = match self.session.sketched().filter(|_| sketched) {
+            Some(frame) => frame,
+            None => self.session.frame()?,
+        };
+        let batches = frame.batches();
+        let done = !sketched && batches >= enough;
+        // A picture that hardly changes is not sent for each batch.
+        if batches > 8 && !done && self.shown.elapsed() < SELDOM {
+            return Ok(());
+        }
+        let error = frame.relative_error() * frame.student_factor();
+        let kind = match (sketched, done) {
+            (true, _) => Kind::Moving,
+            (_, true) => Kind::Final,
+            _ => Kind::Settled,
+        };
+        let stage = match kind {
+            Kind::Moving => "moving",
+            Kind::Final => "done",
+            Kind::Settled if error <= GOOD => "good",
+            Kind::Settled => "refining",
+        };
+        // The error falls as one over the root of the batches, or faster.
+        let more = batches as f32 * ((error / GOOD).powi(2) - 1.0);
+        let good_in = (error.is_finite() && error > GOOD).then_some(more * seconds);
+        let layers = frame.progress().iter().map(|p| (p.batches, p.of, p.held)).collect();
+        let progress =
+            Progress { stage, batches, error, good_in, fps: 1.0 / seconds.max(1e-3), size, layers };
+        screen.light(Light {
+            size,
+            still: Some(Arc::new(frame.still())),
+            camera: self.camera.clone(),
+            look: Some(self.look.clone()),
+            batches,
+            error,
+            kind: Some(kind),
+            seq: self.seq,
+            seconds,
+        });
+        self.shown = Instant::now();
+        inbox.put(Event::Progress(progress));
+        Ok(())
+    }
+
+    fn find(&self, asked: &Asked) -> Option<Found> {
+        let world = self.session.world().ok()?;
+        let [width, height] = asked.frame.size;
+        let view = View::new(&asked.frame.look.camera(), width, height).cut(asked.frame.look.near);
+        let mut ray = view.ray(asked.at[0], asked.at[1]);
+        ray.origin += ray.direction * view.skipped(ray.direction);
+        let surface = world.closest(&ray)?;
+        Some(Found {
+            point: surface.position,
+            normal: surface.normal,
+            instance: surface.instance,
+            material: surface.material,
+            emitter: world.emitter_of(&surface),
+        })
+    }
+}
+
+/// What meters read [lx], with 95 % errors.
+fn read(frame: &Sums) -> Vec<Estimate> {
+    let factor = frame.student_factor() * PI;
+    let reading = |(pixel, mean): (usize, &Rgb)| {
+        let error = factor * frame.standard_error(pixel);
+        Estimate { value: f64::from(mean.luminance() * PI), error: error.is_finite().then_some(error.into()) }
+    };
+    frame.mean().iter().enumerate().map(reading).collect()
+}

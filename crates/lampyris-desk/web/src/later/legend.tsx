@@ -1,0 +1,128 @@
+// The legend of false colour: always in the picture, its ends are dragged or typed, and nothing ever moves it by itself.
+
+import { candles, display, Field, show, three, useRef, type FalseColor } from '../desk';
+
+const STEPS = [1, 2, 5];
+
+/** Values of the 1-2-5 series from one end to the other. */
+export function ticks(low: number, high: number, scale: 'log' | 'linear'): number[] {
+    const out: number[] = [];
+    if (scale === 'linear') {
+        const rough = (high - low) / 5;
+        const ten = 10 ** Math.floor(Math.log10(rough));
+        const step = ten * (STEPS.find((s) => s * ten >= rough) ?? 10);
+        for (let v = Math.ceil(low / step) * step; v <= high * 1.0001; v += step) out.push(v);
+        return out;
+    }
+    for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e++) {
+        for (const s of STEPS) {
+            const v = s * 10 ** e;
+            if (v >= low * 0.999 && v <= high * 1.001) out.push(v);
+        }
+    }
+    return out.length > 10 ? out.filter((v) => Math.abs(Math.log10(v) % 1) < 1e-6) : out;
+}
+
+export function place(value: number, f: FalseColor): number {
+    if (f.scale === 'linear') return (value - f.low) / (f.high - f.low);
+    return Math.log(value / f.low) / Math.log(f.high / f.low);
+}
+
+const set = (f: FalseColor, change: Partial<FalseColor>) => {
+    const next = { ...f, ...change };
+    if (next.scale === 'log') next.low = Math.max(next.low, 1e-3);
+    if (next.high > next.low * 1.01) show({ false_color: next });
+};
+
+/** 1, 2, 5, 10 …: an end moves by these. */
+function along(value: number, by: number): number {
+    const e = Math.round(Math.log10(value) * 3) + by;
+    const step = ((e % 3) + 3) % 3;
+    return STEPS[step] * 10 ** ((e - step) / 3);
+}
+
+export function Legend() {
+    const f = display.value.false_color;
+    const drag = useRef<{ y: number; end: 'low' | 'high'; from: number } | null>(null);
+    if (!f) return null;
+    const fc = candles.value === 'fc';
+    const illuminance = f.quantity === 'illuminance';
+    const unit = illuminance ? (fc ? 'fc' : 'lx') : fc ? 'fL' : 'cd/m²';
+    const factor = fc ? (illuminance ? 1 / 10.7639 : 0.2919) : 1;
+    const colors = (f as FalseColor & { colors?: string[] }).colors;
+    const bar = colors?.length ? `linear-gradient(to top, ${colors.join(', ')})` : undefined;
+
+    const ends = (end: 'low' | 'high') => ({
+        onPointerDown: (e: PointerEvent) => {
+            (e.currentTarget as Element).setPointerCapture(e.pointerId);
+            drag.current = { y: e.clientY, end, from: f[end] };
+        },
+        onPointerMove: (e: PointerEvent) => {
+            const held = drag.current;
+            if (held?.end === end) set(f, { [end]: along(held.from, Math.round((held.y - e.clientY) / 14)) });
+        },
+        onPointerUp: () => (drag.current = null),
+        onPointerCancel: () => (drag.current = null),
+        onKeyDown: (e: KeyboardEvent) => {
+            const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[e.key];
+            if (!by) return;
+            e.preventDefault();
+            e.stopPropagation();
+            set(f, { [end]: along(f[end], by) });
+        },
+    });
+    const End = ({ end }: { end: 'low' | 'high' }) => (
+        <div class="end">
+            <span
+                class="grip"
+                role="slider"
+                tabIndex={0}
+                aria-label={end === 'low' ? 'Lower end of the legend' : 'Upper end of the legend'}
+                aria-valuenow={f[end]}
+                aria-valuemin={0.001}
+                aria-valuemax={1000000}
+                aria-valuetext={`${three(f[end] * factor)} ${unit}`}
+                {...ends(end)}
+            />
+            <Field
+                label={end === 'low' ? 'Lower end' : 'Upper end'}
+                quantity="number"
+                value={Number((f[end] * factor).toPrecision(3))}
+                set={(apply) => set(f, { [end]: apply(f[end] * factor) / factor })}
+            />
+        </div>
+    );
+    return (
+        <aside class="legend" aria-label="Legend of false colour" data-scroll>
+            <header>
+                <button
+                    aria-label={`${unit}: ${illuminance ? 'illuminance' : 'luminance'}, change`}
+                    onClick={() => set(f, { quantity: illuminance ? 'luminance' : 'illuminance' })}
+                >
+                    {unit}
+                </button>
+                <button aria-pressed={f.scale === 'log'} onClick={() => set(f, { scale: f.scale === 'log' ? 'linear' : 'log' })}>log</button>
+                <button aria-pressed={f.lines} onClick={() => set(f, { lines: !f.lines })}>lines</button>
+            </header>
+            <End end="high" />
+            <div class="scale" style={{ background: bar }}>
+                {ticks(f.low, f.high, f.scale).map((v) => (
+                    <span key={v} style={{ bottom: `${100 * place(v, f)}%` }}>{String(Number((v * factor).toPrecision(2)))}</span>
+                ))}
+            </div>
+            <End end="low" />
+            <footer>
+                <button onClick={() => set(f, { low: 0.1, high: 100, scale: 'log' })}>0.1–100</button>
+                <button onClick={() => set(f, { low: 1, high: 1000, scale: 'log' })}>1–1000</button>
+                <select
+                    aria-label="Palette"
+                    value={f.palette}
+                    onChange={(e) => set(f, { palette: e.currentTarget.value })}
+                >
+                    {(f as FalseColor & { palettes?: string[] }).palettes?.map((name) => <option key={name}>{name}</option>)
+                        ?? <option>{f.palette}</option>}
+                </select>
+            </footer>
+        </aside>
+    );
+}

@@ -1,0 +1,104 @@
+// Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
+
+import {
+    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
+} from '../desk';
+import { spacing } from './tools';
+import { changed, Line, Name, Section, Triple } from './parts';
+
+const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['cylindrical', 'cylindrical'], ['camera', 'toward the camera']];
+
+export function MeterInspector() {
+    const id = selection.value?.ids[0] as number;
+    const meter = meters.get(id);
+    if (!meter) return <p class="quiet empty">This meter is gone.</p>;
+    const set = (label: string, change: Partial<Meter>) => {
+        const { lux: _, ...kept } = { ...meter, ...change };
+        edit(`${meter.name}: ${label}`, { meters: { [id]: kept } });
+    };
+    return (
+        <>
+            <header class="panel-head"><Name label="Name of the meter" value={meter.name} set={(name) => set('rename', { name })} /></header>
+            <p class="crumbs">{meter.lux ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
+            <div class="scroll">
+                <Section title="Meter">
+                    <label class="line">
+                        <span>Measures</span>
+                        <select aria-label="Kind of the meter" value={meter.kind} onChange={(e) => set('kind', { kind: e.currentTarget.value as Meter['kind'] })}>
+                            {KINDS.map(([kind, name]) => <option key={kind} value={kind}>{name}</option>)}
+                        </select>
+                    </label>
+                    <Triple label="Point" quantity="length" step={0.01} value={meter.point} set={(axis, apply) => set('move', { point: changed(meter.point, axis, apply) })} />
+                    <Triple label="Faces" quantity="number" step={0.1} value={meter.normal.map((v) => Math.round(v * 1e3) / 1e3)} set={(axis, apply) => set('turn', { normal: changed(meter.normal, axis, apply) })} />
+                    <button class="plain full" onClick={() => {
+                        deselect();
+                        edit(`Remove ${meter.name}`, { meters: { [id]: null } });
+                    }}><Icon name="bin" />Remove</button>
+                </Section>
+            </div>
+        </>
+    );
+}
+
+/** Classes of EN 12464-1 that are asked for most. */
+const CLASSES: [string, number, number][] = [['corridor', 100, 0.4], ['stairs', 150, 0.4], ['filing', 300, 0.4], ['writing, reading', 500, 0.6], ['drawing', 750, 0.7]];
+
+export function GridInspector() {
+    const id = selection.value?.ids[0] as number;
+    const grid = grids.get(id);
+    if (!grid) return <p class="quiet empty">This grid is gone.</p>;
+    const kept = maintenance.value;
+    const set = (label: string, change: Partial<Grid>) => {
+        const { name, corner, u, v, normal, columns, rows, target } = { ...grid, ...change };
+        edit(`${grid.name}: ${label}`, { grids: { [id]: { name, corner, u, v, normal, columns, rows, target } } });
+    };
+    const standard = () => {
+        const p = spacing(Math.max(length(grid.u), length(grid.v)));
+        set('standard spacing', { columns: Math.max(1, Math.ceil(length(grid.u) / p)), rows: Math.max(1, Math.ceil(length(grid.v) / p)) });
+    };
+    const figure = (name: string, value: number | null | undefined, text: (v: number) => string) => <><dt>{name}</dt><dd>{value == null ? '…' : text(value)}</dd></>;
+    const target = grid.target ?? { lux: 500, uniformity: 0.6 };
+    return (
+        <>
+            <header class="panel-head"><Name label="Name of the grid" value={grid.name} set={(name) => set('rename', { name })} /></header>
+            <p class="crumbs">{digits(length(grid.u), 2)} × {digits(length(grid.v), 2)} m, {digits(grid.columns * grid.rows)} points</p>
+            <div class="scroll">
+                <Section title="Figures" note={kept === 1 ? 'new' : `× ${digits(kept, 2)}`}>
+                    <dl class="figures">
+                        {figure('Ē', grid.mean, (v) => luxText(v * kept))}
+                        {figure('E min', grid.min, (v) => luxText(v * kept))}
+                        {figure('E max', grid.max, (v) => luxText(v * kept))}
+                        {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2))}
+                        {figure('U d = min / max', grid.max ? (grid.min ?? 0) / grid.max : null, (v) => digits(v, 2))}
+                        {figure('± of Ē', grid.error, (v) => luxText(v * kept))}
+                    </dl>
+                </Section>
+                <Section title="Target">
+                    <label class="line">
+                        <span>Class</span>
+                        <select aria-label="Class of the target" value="" onChange={(e) => {
+                            const found = CLASSES[Number(e.currentTarget.value)];
+                            set('target', { target: found ? { lux: found[1], uniformity: found[2] } : null });
+                        }}>
+                            <option value="">{grid.target ? 'choose…' : 'none'}</option>
+                            {CLASSES.map(([name, lux, u], k) => <option key={name} value={k}>{name}: {lux} lx, U₀ {u}</option>)}
+                            <option value="-1">no target</option>
+                        </select>
+                    </label>
+                    <Line label="Ē at least" quantity="lux" step={50} value={target.lux} set={(apply) => set('target', { target: { ...target, lux: apply(target.lux) } })} />
+                    <Line label="U₀ at least" quantity="share" step={0.05} value={target.uniformity} set={(apply) => set('target', { target: { ...target, uniformity: apply(target.uniformity) } })} />
+                </Section>
+                <Section title="Area">
+                    <Triple label="Corner" quantity="length" step={0.01} value={grid.corner} set={(axis, apply) => set('move', { corner: changed(grid.corner, axis, apply) })} />
+                    <Line label="Columns" quantity="number" step={1} value={grid.columns} set={(apply) => set('spacing', { columns: Math.max(1, Math.min(200, Math.round(apply(grid.columns)))) })} />
+                    <Line label="Rows" quantity="number" step={1} value={grid.rows} set={(apply) => set('spacing', { rows: Math.max(1, Math.min(200, Math.round(apply(grid.rows)))) })} />
+                    <button class="plain full" title="EN 12464-1: p = 0.2 · 5^log d" onClick={standard}>Spacing of the standard</button>
+                    <button class="plain full" onClick={() => {
+                        deselect();
+                        edit(`Remove ${grid.name}`, { grids: { [id]: null } });
+                    }}><Icon name="bin" />Remove</button>
+                </Section>
+            </div>
+        </>
+    );
+}

@@ -1,0 +1,158 @@
+// What tools do with the point that was clicked: aiming, laying a meter, spanning a grid, hanging a lamp; and what is done
+// to the places of lamps.
+
+import {
+    add, adding, chosenLamps, cross, distance, dot, edit, effect, free, grids, lamps, meters, normal, onTool, positionOf, say,
+    scale, select, step, sub, titleOf, tool, up,
+    type Hit, type Id, type Kind, type LampKind, type Patch, type Slice, type Vec,
+} from '../desk';
+
+let corner: { point: Vec; normal: Vec } | null = null;
+
+// A corner waits for the other as long as its tool is in the hand.
+effect(() => {
+    if (tool.value !== 'grid') corner = null;
+});
+
+function apply(hit: Hit | null): void {
+    if (!hit) return say('There is nothing at that point.', 'warn');
+    switch (tool.peek()) {
+        case 'aim':
+            aim(chosenLamps.peek(), hit.point);
+            tool.value = null;
+            break;
+        case 'meter':
+            addMeter(hit.point, hit.normal);
+            tool.value = null;
+            break;
+        case 'grid':
+            if (!corner) {
+                corner = hit;
+                return;
+            }
+            addGrid(corner.point, hit.point);
+            corner = null;
+            tool.value = null;
+            break;
+        case 'add':
+            hang(adding.peek(), hit);
+            tool.value = null;
+            break;
+    }
+}
+
+onTool(apply);
+
+/** Turns lamps toward a point; those that shine everywhere stay as they are. */
+export function aim(ids: Id[], point: Vec): void {
+    const patch: Record<string, unknown> = {};
+    for (const id of ids) {
+        const place = lamps.get(id)?.place;
+        if (!place?.position || !place.direction) continue;
+        patch[id] = { place: { aim: point, direction: normal(sub(point, place.position)) } };
+    }
+    if (!Object.keys(patch).length) return say('What is selected shines into all directions: it cannot be aimed.', 'warn');
+    edit(`Aim ${titleOf(ids)}`, { lamps: patch });
+}
+
+/** Selects the next entry that comes into a family. */
+export function selectNext(slice: Slice<object>, kind: Kind): void {
+    const before = new Set(slice.ids.peek());
+    const stop = slice.ids.subscribe((ids) => {
+        const fresh = ids.filter((id) => !before.has(id));
+        if (!fresh.length) return;
+        select(kind, fresh[fresh.length - 1]);
+        queueMicrotask(() => stop());
+    });
+    setTimeout(() => stop(), 3000);
+}
+
+export function addMeter(point: Vec, axis: Vec): void {
+    const id = free(meters);
+    selectNext(meters as unknown as Slice<object>, 'meter');
+    edit('Lay a meter', { meters: { [id]: { name: `Meter ${id + 1}`, kind: 'surface', point, normal: axis } } });
+}
+
+/** Spacing of points on an area by EN 12464-1: p = 0.2 · 5^(log₁₀ d), at most 10 m. */
+export function spacing(d: number): number {
+    return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(d, 0.01)));
+}
+
+/** A level grid between two corners, on a work plane 0.75 m above the floor where the corners are on the floor. */
+export function addGrid(a: Vec, b: Vec, target = { lux: 500, uniformity: 0.6 }): void {
+    const above = up.peek();
+    const side: Vec = Math.abs(above[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0];
+    const other = normal(cross(above, side));
+    const d = sub(b, a);
+    let [u, v] = [dot(d, side), dot(d, other)];
+    if (Math.abs(u) < 0.05 || Math.abs(v) < 0.05) return say('An area needs two corners that lie apart.', 'warn');
+    const origin = add(a, add(scale(side, Math.min(u, 0)), scale(other, Math.min(v, 0))));
+    [u, v] = [Math.abs(u), Math.abs(v)];
+    const cells = (length: number) => Math.max(1, Math.ceil(length / spacing(Math.max(u, v))));
+    const id = free(grids);
+    selectNext(grids as unknown as Slice<object>, 'grid');
+    edit('Lay a grid', {
+        grids: {
+            [id]: {
+                name: `Area ${id + 1}`, corner: origin, u: scale(side, u), v: scale(other, v), normal: above,
+                columns: cells(u), rows: cells(v), target,
+            },
+        },
+    });
+}
+
+const NAMES: Partial<Record<LampKind, string>> = { point: 'Point', spot: 'Spot', disc: 'Area', sphere: 'Sphere' };
+
+/** Hangs a lamp: above what is level, before what is upright, under a ceiling. */
+export function hang(kind: LampKind, at: { point: Vec; normal: Vec }): void {
+    const above = up.peek();
+    const level = dot(at.normal, above);
+    const position = level > 0.7 ? add(at.point, scale(above, 1.2)) : add(at.point, scale(at.normal, 0.15));
+    const direction = level > 0.7 || level < -0.7 ? scale(above, -1) : at.normal;
+    const place: Patch = { position };
+    if (kind !== 'point' && kind !== 'sphere') place.direction = direction;
+    if (kind === 'spot') Object.assign(place, { inner: 24, outer: 36, ...(level > 0.7 ? { aim: at.point } : {}) });
+    if (kind === 'disc') place.radius = 0.15;
+    if (kind === 'sphere') place.radius = 0.08;
+    const own = lamps.all().filter(([, lamp]) => lamp.own).length;
+    selectNext(lamps as unknown as Slice<object>, 'lamp');
+    step(`Add ${NAMES[kind]?.toLowerCase() ?? kind} lamp`, {
+        do: 'add',
+        lamp: { name: `${NAMES[kind] ?? kind} ${own + 1}`, kind, flux: 800, place },
+    });
+}
+
+/** So many more of each, on a line. */
+export function copyAlong(ids: Id[], count: number, stepBy: Vec): void {
+    if (!ids.length || count < 1) return;
+    step(`Copy ${titleOf(ids)}`, { do: 'copy', lamps: ids, count, step: stepBy });
+}
+
+export function removeLamps(ids: Id[]): void {
+    if (ids.length) step(`Remove ${titleOf(ids)}`, { do: 'remove', lamps: ids });
+}
+
+/** Moves lamps by so much; what they aim at stays, and they follow it. */
+export function placed(ids: Id[], by: Vec, from: Map<Id, Vec>): Patch {
+    const patch: Record<string, unknown> = {};
+    for (const id of ids) {
+        const place = lamps.get(id)?.place;
+        const start = from.get(id);
+        if (!start) continue;
+        const position = add(start, by);
+        const toward = place?.aim && distance(place.aim, position) > 1e-6 ? { direction: normal(sub(place.aim, position)) } : {};
+        patch[id] = { place: { position, ...toward } };
+    }
+    return { lamps: patch };
+}
+
+/** Places of the lamps that have one. */
+export function positions(ids: Id[]): Map<Id, Vec> {
+    const found = new Map<Id, Vec>();
+    for (const id of ids) {
+        const lamp = lamps.get(id);
+        const position = lamp && positionOf(lamp);
+        if (position) found.set(id, position);
+    }
+    return found;
+}

@@ -1,0 +1,28 @@
+// Fetches the second file: with the first picture, or when something is selected before.
+
+import { effect, signal } from '@preact/signals';
+import { shown } from './frames';
+import { selection } from './select';
+
+type Parts = typeof import('./later/index');
+const parts = signal<Parts | null>(null);
+let asked = false;
+
+/** A part of the second file, or nothing as long as it is not there. */
+export const part = <K extends keyof Parts>(name: K): Parts[K] | undefined => parts.value?.[name];
+
+/** The same, where it needs nothing to be shown. */
+export function Later({ part: name }: { part: Exclude<keyof Parts, 'SheetRow'> }) {
+    const Part = part(name);
+    return Part ? <Part /> : null;
+}
+
+export function loadWhen(): void {
+    effect(() => {
+        if (asked || !(shown.value ?? selection.value)) return;
+        asked = true;
+        // A name in a variable, for the bundler shall leave it alone.
+        const file = './gizmo.js';
+        setTimeout(() => void import(file).then((module: Parts) => (parts.value = module)), 0);
+    });
+}

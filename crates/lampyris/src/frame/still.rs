@@ -1,0 +1,259 @@
+//! What a frame shows, taken out of it: to be mixed in other colours while the next batch is already being added, on
+//! another thread, in milliseconds.
+//!
+//! A still shares the frame's planes; who adds a batch to them copies those that a still holds, once. So a still is
+//! taken at once, however large the picture is, and costs a copy of the layers that the next batch is for.
+
+use super::layer::Plane;
+use super::{Frame, Progress};
+use crate::color::Rgb;
+use crate::geometry::{Kernel, Wide};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// What a frame shows at one moment. Copies are cheap.
+#[derive(Clone, Debug)]
+pub struct Still {
+    blend: Blend,
+    batches: u32,
+    relative_error: f32,
+    progress: Vec<Progress>,
+}
+
+/// Layers and what stands in for some of them.
+#[derive(Clone, Debug)]
+pub(super) struct Blend {
+    pub(super) size: [u32; 2],
+    pub(super) layers: Vec<Shown>,
+    pub(super) held: Vec<Standing>,
+}
+
+/// What is shown of a layer.
+#[derive(Clone, Debug)]
+pub(super) struct Shown {
+    /// Its colour in the frame.
+    pub(super) color: Rgb,
+    pub(super) terms: Vec<Term>,
+}
+
+/// What stands in for some layers.
+#[derive(Clone, Debug)]
+pub(super) struct Standing {
+    /// Which layers, and the colours in which their light is held.
+    pub(super) layers: Vec<(usize, Rgb)>,
+    /// How much of it is shown.
+    pub(super) share: f32,
+    pub(super) plane: Plane,
+}
+
+/// A plane and how much of it counts.
+#[derive(Clone, Debug)]
+pub(super) struct Term {
+    plane: Plane,
+    weight: f32,
+    /// How many of its first pixels have another weight.
+    head: usize,
+    head_weight: f32,
+}
+
+impl Term {
+    /// A plane with the weight of all its pixels but the first `head`, and with theirs.
+    pub(super) fn new(plane: &Plane, [weight, head_weight]: [f32; 2], head: usize) -> Term {
+        Term { plane: Arc::clone(plane), weight, head, head_weight }
+    }
+
+    /// All of a plane alike.
+    pub(super) fn whole(plane: &Plane, weight: f32) -> Term {
+        Term::new(plane, [weight; 2], 0)
+    }
+
+    fn is_nothing(&self) -> bool {
+        self.weight == 0.0 && (self.head_weight == 0.0 || self.head == 0)
+    }
+}
+
+impl Still {
+    /// Width and height [pixels].
+    pub fn size(&self) -> [u32; 2] {
+        self.blend.size
+    }
+
+    /// Batches that all layers have.
+    pub fn batches(&self) -> u32 {
+        self.batches
+    }
+
+    /// Of the mean luminance, in the frame's colours.
+    pub fn relative_error(&self) -> f32 {
+        self.relative_error
+    }
+
+    /// How far each layer is.
+    pub fn progress(&self) -> &[Progress] {
+        &self.progress
+    }
+
+    /// How many layers there are.
+    pub fn layers(&self) -> usize {
+        self.blend.layers.len()
+    }
+
+    /// The colours that the layers had in the frame.
+    pub fn colors(&self) -> Vec<Rgb> {
+        self.blend.layers.iter().map(|layer| layer.color).collect()
+    }
+
+    /// What is shown if the layers have these colours, those of the frame where colours are missing [cd/m²]: row by row from
+    /// the top. In the frame's own colours it is [`Frame::shown`], to the bit. How much of each layer is shown filtered was
+    /// decided in the frame's colours.
+    pub fn mix(&self, colors: &[Rgb]) -> Vec<Rgb> {
+        self.blend.mix(|number| colors.get(number).copied())
+    }
+
+    /// What is shown of the batches of one layer, in white [cd/m²]; `None` if there is none of that number. What stands in
+    /// for layers is in none of them.
+    pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
+        let layer = self.blend.layers.get(number)?;
+        Some(sum(self.blend.size, layer.terms.iter().map(|term| (term, Rgb::WHITE))))
+    }
+}
+
+impl Blend {
+    /// All of it, where layers have other colours than in the frame if `color` says so.
+    pub(super) fn mix(&self, color: impl Fn(usize) -> Option<Rgb>) -> Vec<Rgb> {
+        self.mix_of(|_| true, color)
+    }
+
+    /// Some layers: of those that are held together all or none.
+    pub(super) fn mix_of(
+        &self,
+        wanted: impl Fn(usize) -> bool,
+        color: impl Fn(usize) -> Option<Rgb>,
+    ) -> Vec<Rgb> {
+        let own = self.layers.iter().enumerate().filter(|(number, _)| wanted(*number));
+        let own = own.flat_map(|(number, layer)| {
+            let color = own_color(&self.held, number, color(number).unwrap_or(layer.color));
+            layer.terms.iter().map(move |term| (term, color))
+        });
+        let held = self.held.iter().filter(|held| held.layers.iter().any(|(number, _)| wanted(*number)));
+        let held: Vec<Term> = held.map(|held| Term::whole(&held.plane, held.share)).collect();
+        sum(self.size, own.chain(held.iter().map(|term| (term, Rgb::WHITE))))
+    }
+}
+
+/// What a layer's own batches are multiplied by where the layer has that colour.
+pub(super) fn own_color(held: &[Standing], layer: usize, color: Rgb) -> Rgb {
+    let stands = |held: &Standing| {
+        let (_, color) = held.layers.iter().find(|(number, _)| *number == layer)?;
+        Some(*color * held.share)
+    };
+    color - held.iter().find_map(stands).unwrap_or(Rgb::BLACK)
+}
+
+impl Frame {
+    /// What is shown now, whatever becomes of the frame.
+    pub fn still(&self) -> Still {
+        Still {
+            blend: self.blend(),
+            batches: self.batches(),
+            relative_error: self.relative_error(),
+            progress: self.progress(),
+        }
+    }
+
+    pub(super) fn blend(&self) -> Blend {
+        let layers = self.layers.iter().zip(self.filtered_shares()).map(|(layer, share)| {
+            let terms = layer.mix(share).filter(|term| !term.is_nothing()).collect();
+            Shown { color: layer.color, terms }
+        });
+        Blend { size: [self.width, self.height], layers: layers.collect(), held: self.standing() }
+    }
+}
+
+/// The sum of planes, each times a colour, of a picture of that size.
+pub(super) fn sum<'t>([width, height]: [u32; 2], terms: impl Iterator<Item = (&'t Term, Rgb)>) -> Vec<Rgb> {
+    let runs = terms.flat_map(|(term, color)| {
+        let Term { plane, weight, head, head_weight } = term;
+        [(0, *head, *head_weight), (*head, plane.len(), *weight)].map(|(start, end, weight)| Run {
+            plane,
+            start,
+            end,
+            by: color * weight,
+        })
+    });
+    let runs: Vec<Run<'_>> = runs.filter(|run| run.start < run.end && !run.by.is_black()).collect();
+    let mut sum = vec![Rgb::BLACK; width as usize * height as usize];
+    let kernel = Kernel::detect();
+    sum.par_chunks_mut(PIECE).enumerate().for_each(|(k, sum)| {
+        kernel.run(Mix { runs: &runs, start: k * PIECE, sum });
+    });
+    sum
+}
+
+/// Pixels that are summed at a time: their sum stays in the nearest cache while all planes are added to it.
+const PIECE: usize = 1 << 11;
+
+/// Pixels of a plane that are multiplied by the same.
+struct Run<'a> {
+    plane: &'a [Rgb],
+    start: usize,
+    end: usize,
+    by: Rgb,
+}
+
+/// Adds the pieces that runs have of some pixels.
+struct Mix<'a> {
+    runs: &'a [Run<'a>],
+    /// Which pixel is the first.
+    start: usize,
+    sum: &'a mut [Rgb],
+}
+
+impl Wide for Mix<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let end = self.start + self.sum.len();
+        for Run { plane, start, end: last, by } in self.runs {
+            let (from, to) = (self.start.max(*start), end.min(*last));
+            if from >= to {
+                continue;
+            }
+            for (sum, v) in self.sum[from - self.start..to - self.start].iter_mut().zip(&plane[from..to]) {
+                sum.r += v.r * by.r;
+                sum.g += v.g * by.g;
+                sum.b += v.b * by.b;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eye::Rect;
+    use crate::settings::Settings;
+
+    /// Whoever adds a batch copies the layers that it is for, as long as a still holds them, and no others.
+    #[test]
+    fn only_what_changes_is_copied() {
+        let mut frame = Frame::new(4, 4, &[], &Settings::default(), 2);
+        let rect = Rect { x: 0, y: 0, width: 4, height: 4 };
+        let batch = |frame: &mut Frame, layer: usize| {
+            frame.add(0, &[(layer, vec![(rect, vec![vec![Rgb::WHITE; 16]])])]);
+            frame.count(layer, 0);
+        };
+        (0..2).for_each(|layer| batch(&mut frame, layer));
+        let place = |frame: &Frame, layer: usize| Arc::as_ptr(&frame.layers[layer].planes[0]);
+        let before = [0, 1].map(|layer| place(&frame, layer));
+        let still = frame.still();
+        batch(&mut frame, 1);
+        assert_eq!([0, 1].map(|layer| place(&frame, layer) == before[layer]), [true, false]);
+        assert_eq!(still.layer(1), Some(vec![Rgb::WHITE; 16]));
+        drop(still);
+        let before = place(&frame, 1);
+        batch(&mut frame, 1);
+        assert_eq!(place(&frame, 1), before);
+    }
+}
