@@ -38,6 +38,8 @@ pub struct Opened {
     pub warnings: Vec<String>,
     /// What of the edits had no place in the scene.
     pub lost: Vec<String>,
+    /// Of the document's text.
+    pub(super) digest: Option<place::Digest>,
 }
 
 /// How many of the edits that were lost are told of among the warnings.
@@ -85,6 +87,7 @@ fn alone(path: &Path, ask: &Ask) -> Result<Opened> {
         environment: ask.environment.clone(),
         warnings,
         lost: Vec::new(),
+        digest: None,
     })
 }
 
@@ -133,7 +136,8 @@ fn edited(path: &Path, ask: &Ask, state: Option<&Path>) -> Result<Opened> {
     if lost.len() > TOLD {
         opened.warnings.push(format!("{} more edits are left out", lost.len() - TOLD));
     }
-    Ok(Opened { scene, document, document_file: Some(path.into()), lost, ..opened })
+    let digest = Some(place::Digest::new(&text));
+    Ok(Opened { scene, document, document_file: Some(path.into()), lost, digest, ..opened })
 }
 
 /// Puts a picture around a scene.
