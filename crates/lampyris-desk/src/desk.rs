@@ -2,6 +2,7 @@
 //! the studio's, pictures the screen's.
 
 mod editing;
+mod reaching;
 mod telling;
 
 use crate::adding::NewLamp;
@@ -73,6 +74,8 @@ pub(crate) enum Event {
     /// What the meters read.
     Measured {
         readings: Vec<Estimate>,
+        /// Of each layer, what it gives each of them [lx].
+        by_layer: Vec<Vec<f32>>,
     },
     /// Edits were written down, or could not be.
     Saved {
@@ -120,6 +123,8 @@ pub(crate) struct Desk {
     layout: Layout,
     /// What is said of meters and grids.
     told: Value,
+    /// Of each layer, what it gives each point that is measured [lx].
+    by_layer: Vec<Vec<f32>>,
     saved: Value,
     /// Since when there is something to save.
     unsaved: Option<Instant>,
@@ -169,6 +174,7 @@ impl Desk {
             look: None,
             layout: Layout::default(),
             told: Value::Null,
+            by_layer: Vec::new(),
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
             cameras: 0,
@@ -230,7 +236,8 @@ impl Desk {
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
                 }
-                Event::Measured { readings } => {
+                Event::Measured { readings, by_layer } => {
+                    self.by_layer = by_layer;
                     self.told = self.layout.told(&readings);
                     self.tell_readings();
                 }
@@ -393,6 +400,7 @@ impl Desk {
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(&patch).map(|()| false),
+            Do::Reach => self.reach(seq),
             Do::Expose => {
                 self.show.ev = None;
                 self.screen.show(self.show.clone());

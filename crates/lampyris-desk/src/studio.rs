@@ -236,8 +236,9 @@ impl Stage {
                 }
                 Turn::Picture => self.show(Turn::Picture, seconds, (studio, screen, inbox))?,
                 Turn::Meters => {
-                    let readings = self.session.meters().map(read).unwrap_or_default();
-                    inbox.put(Event::Measured { readings });
+                    if let Some(frame) = self.session.meters() {
+                        inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
+                    }
                 }
                 Turn::Question => self.tell(inbox)?,
             }
@@ -472,4 +473,10 @@ fn read(frame: &Sums) -> Vec<Estimate> {
         Estimate { value: f64::from(mean.luminance() * PI), error: error.is_finite().then_some(error.into()) }
     };
     frame.mean().iter().enumerate().map(reading).collect()
+}
+
+/// What each layer gives each of them [lx].
+fn layers(frame: &Sums) -> Vec<Vec<f32>> {
+    let lux = |plane: Vec<Rgb>| plane.iter().map(|mean| mean.luminance() * PI).collect();
+    (0..frame.layers()).filter_map(|layer| frame.layer(layer)).map(lux).collect()
 }
