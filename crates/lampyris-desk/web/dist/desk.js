@@ -1,5 +1,5 @@
 // node_modules/preact/dist/preact.mjs
-var M, Br, ko, qe, yo, En, zr, Mn, Gr, xo, wo, es, zt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, Pn = [], ts = /^m(i|n|o|s|text|space)$/, So = Array.isArray, Mo = Pn.slice, tt = Object.assign;
+var C, Br, ko, Fe, yo, En, zr, Mn, Gr, xo, wo, ts, zt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, Pn = [], ns = /^m(i|n|o|s|text|space)$/, So = Array.isArray, Mo = Pn.slice, tt = Object.assign;
 function et(e) {
   e && e.parentNode && e.remove();
 }
@@ -10,7 +10,7 @@ function Xr(e, t, n) {
 }
 function Bt(e, t, n, o, r) {
   var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Br, __i: -1, __u: 0 };
-  return !r && M.vnode && M.vnode(i), i;
+  return !r && C.vnode && C.vnode(i), i;
 }
 function X(e) {
   return e.children;
@@ -18,14 +18,14 @@ function X(e) {
 function gt(e, t) {
   this.props = e, this.context = t, this.__g = 0;
 }
-function je(e, t) {
-  if (t == null) return e.__ && je(e.__, e.__i + 1);
+function qe(e, t) {
+  if (t == null) return e.__ && qe(e.__, e.__i + 1);
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
-  return typeof e.type != "function" || e.props.__P ? null : je(e);
+  return typeof e.type != "function" || e.props.__P ? null : qe(e);
 }
-function ns(e) {
+function os(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, M.vnode && M.vnode(t), Co(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || je(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ti(r, t, i), n.__ = n.__e = null, t.__e != o && Yr(t));
+  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Co(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ti(r, t, i), n.__ = n.__e = null, t.__e != o && Yr(t));
 }
 function Yr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
@@ -33,31 +33,31 @@ function Yr(e) {
   }), Yr(e);
 }
 function Ur(e) {
-  (8 & e.__g || (e.__g |= 8, qe.push(e), En++)) && yo == M.debounceRendering || ((yo = M.debounceRendering) || queueMicrotask)(Qr);
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), En++)) && yo == C.debounceRendering || ((yo = C.debounceRendering) || queueMicrotask)(Qr);
 }
 function Qr() {
   try {
-    for (var e, t = 1; qe.length; ) qe.length > t && qe.sort(zr), e = qe.shift(), t = qe.length, 8 & e.__g && ns(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(zr), e = Fe.shift(), t = Fe.length, 8 & e.__g && os(e);
   } finally {
-    (En = qe.length) && (yo || queueMicrotask)(Qr);
+    (En = Fe.length) && (yo || queueMicrotask)(Qr);
   }
 }
-function Jr(e, t, n, o, r, i, a, s, d, c, u) {
-  var p, m, f, y, w, x, _ = o.__k || Pn, b = t.length;
-  for (d = os(n, t, _, d, b), p = 0; p < b; p++) (f = n.__k[p]) != null && (m = ~f.__i && _[f.__i] || Tn, f.__i = p, x = Co(e, f, m, r, i, a, s, d, c, u), y = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Eo(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || y, f)), w = w || y, 4 & f.__u ? (d = Zr(f, d, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? d = x : y && (d = y.nextSibling), f.__u &= -21);
-  return n.__e = w, d;
+function Jr(e, t, n, o, r, i, a, s, p, c, u) {
+  var d, m, f, b, y, S, _ = o.__k || Pn, w = t.length;
+  for (p = rs(n, t, _, p, w), d = 0; d < w; d++) (f = n.__k[d]) != null && (m = ~f.__i && _[f.__i] || Tn, f.__i = d, S = Co(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Eo(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = Zr(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && S !== void 0 ? p = S : b && (p = b.nextSibling), f.__u &= -21);
+  return n.__e = y, p;
 }
-function os(e, t, n, o, r) {
-  var i, a, s, d, c, u, p, m, f, y = n.length, w = y, x = 0, _ = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Bt(null, a) : So(a) ? a = b[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = b[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, d = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = rs(a, n, d, w)) && (w--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == d - 1 ? x-- : c == d + 1 ? x++ : c != d && (c > d ? x-- : x++, _ = 1)) : (~c || (r > y ? x-- : r < y && x++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
+function rs(e, t, n, o, r) {
+  var i, a, s, p, c, u, d, m, f, b = n.length, y = b, S = 0, _ = 0, w = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = w[i] = Bt(null, a) : So(a) ? a = w[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = w[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : w[i] = a, p = i + S, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = is(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? S-- : c == p + 1 ? S++ : c != p && (c > p ? S-- : S++, _ = 1)) : (~c || (r > b ? S-- : r < b && S++), typeof a.type != "function" && (a.__u |= 4))) : w[i] = null;
   if (_) {
-    for (u = [], p = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
-      for (x = 0, m = u.length; x < m; ) u[f = x + m >> 1] < a.__i ? x = f + 1 : m = f;
-      u[x] = a.__i, p[i] = x + 1;
+    for (u = [], d = [], i = 0; i < r; i++) if ((a = w[i]) && 16 & a.__u) {
+      for (S = 0, m = u.length; S < m; ) u[f = S + m >> 1] < a.__i ? S = f + 1 : m = f;
+      u[S] = a.__i, d[i] = S + 1;
     }
-    for (x = u.length; i--; ) p[i] && (p[i] == x ? x-- : b[i].__u |= 4);
+    for (S = u.length; i--; ) d[i] && (d[i] == S ? S-- : w[i].__u |= 4);
   }
-  if (w) for (i = 0; i < y; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = je(s)), To(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), To(s, s));
   return o;
 }
 function Zr(e, t, n, o) {
@@ -67,14 +67,14 @@ function Zr(e, t, n, o) {
     if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = Zr(r[i], t, n, !1));
     return t;
   }
-  for (t && !t.parentNode && (t = je(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
+  for (t && !t.parentNode && (t = qe(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function rs(e, t, n, o) {
-  var r, i = e.key, a = e.type, s = t[n], d = s && !(2 & s.__u);
-  if (s === null && i == null || d && i == s.key && a == s.type) return n;
-  if (o > (d ? 1 : 0)) {
+function is(e, t, n, o) {
+  var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
+  if (s === null && i == null || p && i == s.key && a == s.type) return n;
+  if (o > (p ? 1 : 0)) {
     for (r = n - 1; r >= 0; r--) if ((s = t[r]) && !(2 & s.__u) && i == s.key && a == s.type) return r;
     for (r = n + 1; r < t.length; r++) if ((s = t[r]) && !(2 & s.__u) && i == s.key && a == s.type) return r;
   }
@@ -90,7 +90,7 @@ function Sn(e, t, n, o, r) {
     if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Wr(e.style, t);
     if (n) for (t in n) o && n[t] == o[t] || Wr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = wo[t] || (wo[t] = is(t)), (e.__a || (e.__a = {}))[t] = xo, i = t != (t = t.replace(Gr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = wo[t] || (wo[t] = as(t)), (e.__a || (e.__a = {}))[t] = xo, i = t != (t = t.replace(Gr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,63 +101,63 @@ function Sn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function is(e) {
+function as(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
       if (n = n[e], t[Mn] == null) t[Mn] = xo++;
       else if (t[Mn] < this.__a[e]) return;
-      return n(M.event ? M.event(t) : t);
+      return n(C.event ? C.event(t) : t);
     }
   };
 }
-function Co(e, t, n, o, r, i, a, s, d, c) {
-  var u, p, m, f, y, w, x, _, b, A, L, Fe, Ne, ye, me, h, v, T, P = t.type;
+function Co(e, t, n, o, r, i, a, s, p, c) {
+  var u, d, m, f, b, y, S, _, w, M, V, Se, Ze, fe, he, h, v, P, $ = t.type;
   if (t.constructor !== zt) return null;
-  128 & n.__u && (d = 32 & n.__u, u = n.__c.__z) && (t.__u |= d, p = i = [], u.nodeType == 8 ? s = Cn(u, i) : i.push(u), s = i[0] || s), (u = M.__b) && u(t);
-  e: if (typeof P == "function") {
+  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = Cn(u, i) : i.push(u), s = i[0] || s), (u = C.__b) && u(t);
+  e: if (typeof $ == "function") {
     m = a.length;
     try {
-      if (_ = t.props, b = (u = P.prototype) && u.render, A = (u = P.contextType) && o[u.__c], L = u ? A ? A.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new P(_, L) : (t.__c = f = new gt(_, L), f.constructor = P, f.render = ss), A && A.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, P.getDerivedStateFromProps(_, f.__s)))), y = f.props, w = f.state, f.__v = t, n.__c) {
-        if (_ !== y && b && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(_, L), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(_, f.__s, L) === !1) {
-          t.__v != n.__v && (f.props = _, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function($) {
-            $ && ($.__ = t);
-          }), Pn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = je(n);
+      if (_ = t.props, w = (u = $.prototype) && u.render, M = (u = $.contextType) && o[u.__c], V = u ? M ? M.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (w ? t.__c = f = new $(_, V) : (t.__c = f = new gt(_, V), f.constructor = $, f.render = ls), M && M.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), w && (f.__s || (f.__s = f.state), $.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, $.getDerivedStateFromProps(_, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+        if (_ !== b && w && !$.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(_, V), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(_, f.__s, V) === !1) {
+          t.__v != n.__v && (f.props = _, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(L) {
+            L && (L.__ = t);
+          }), Pn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = qe(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(_, f.__s, L), b && f.componentDidUpdate && f.__h.push(function() {
-          f.componentDidUpdate(y, w, x);
+        f.componentWillUpdate && f.componentWillUpdate(_, f.__s, V), w && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(b, y, S);
         });
-      } else b && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), b && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = L, f.props = _, f.__P = e, f.__g &= -5, Fe = M.__r, Ne = b ? 25 : 0;
+      } else w && !$.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), w && f.componentDidMount && f.__h.push(f.componentDidMount);
+      f.context = V, f.props = _, f.__P = e, f.__g &= -5, Se = C.__r, Ze = w ? 25 : 0;
       do
-        f.__g &= -9, Fe && Fe(t), u = f.render(f.props, f.state = f.__s, f.context);
-      while (8 & f.__g && ++Ne < 25);
-      b && (Pn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (x = f.getSnapshotBeforeUpdate(y, w)), ye = u && u.type === X && u.key == null ? u.props.children : u, _.__P && (u = s, r = (e = _.__P).namespaceURI, d = i = null, n.props && n.props.__P != e && (n.__k.some(function($) {
-        $ && To($, $);
-      }), n.__k = null), s = n.__k ? je(n, 0) : null), s = Jr(e, So(ye) ? ye : [ye], t, n, o, r, i, a, s, d, c), _.__P && (t.__e = null, s = u), t.__u &= -161, p && p.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch ($) {
-      if (a.length = m, t.__v = null, d || i) if ($ && $.then) {
-        if (t.__u |= 128 | d, i) {
-          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (T = i[v - 1]) && T.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if (T = i[v]) if (i[v] = null, me) {
-            if (T == h) break;
+        f.__g &= -9, Se && Se(t), u = f.render(f.props, f.state = f.__s, f.context);
+      while (8 & f.__g && ++Ze < 25);
+      w && (Pn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), w && n.__c && f.getSnapshotBeforeUpdate && (S = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, _.__P && (u = s, r = (e = _.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
+        L && To(L, L);
+      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = Jr(e, So(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), _.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch (L) {
+      if (a.length = m, t.__v = null, p || i) if (L && L.then) {
+        if (t.__u |= 128 | p, i) {
+          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (P = i[v - 1]) && P.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if (P = i[v]) if (i[v] = null, he) {
+            if (P == h) break;
           } else {
-            if (T.nodeType != 8) break;
-            T.data.startsWith("$s") && (h = Cn(me = T));
+            if (P.nodeType != 8) break;
+            P.data.startsWith("$s") && (h = Cn(he = P));
           }
         }
-        if (!me) {
+        if (!he) {
           for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
-          me = s;
+          he = s;
         }
-        (u = Cn(me = t.__c.__z || (t.__c.__z = me))) ? (t.__e = me, s = u) : t.__e = s, s = s && s.nextSibling;
+        (u = Cn(he = t.__c.__z || (t.__c.__z = he))) ? (t.__e = he, s = u) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(et);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), $ && $.then || ei(t), M.__e($, t, n);
+      t.__k || (t.__k = n.__k || []), L && L.then || ei(t), C.__e(L, t, n);
     }
-  } else s = t.__e = as(n.__e, t, n, o, r, i, a, d, c, e);
-  return (u = M.diffed) && u(t), s;
+  } else s = t.__e = ss(n.__e, t, n, o, r, i, a, p, c, e);
+  return (u = C.diffed) && u(t), s;
 }
 function Cn(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
@@ -173,64 +173,64 @@ function ei(e) {
 }
 function ti(e, t, n) {
   for (var o = 0; o < n.length; ) Eo(n[o++], n[o++], n[o++]);
-  M.__c && M.__c(t, e), e.some(function(r) {
+  C.__c && C.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
         i.call(r);
       });
     } catch (i) {
-      M.__e(i, r.__v);
+      C.__e(i, r.__v);
     }
   });
 }
-function as(e, t, n, o, r, i, a, s, d, c) {
-  var u, p, m, f, y, w, x, _, b = n.props || Tn, A = t.props, L = t.type;
-  if (L == "svg" ? r = "http://www.w3.org/2000/svg" : L == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (u = 0; u < i.length; u++) if ((y = i[u]) && (L ? y.localName == L : y.nodeType == 3)) {
-      e = y, i[u] = null;
+function ss(e, t, n, o, r, i, a, s, p, c) {
+  var u, d, m, f, b, y, S, _, w = n.props || Tn, M = t.props, V = t.type;
+  if (V == "svg" ? r = "http://www.w3.org/2000/svg" : V == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (u = 0; u < i.length; u++) if ((b = i[u]) && (V ? b.localName == V : b.nodeType == 3)) {
+      e = b, i[u] = null;
       break;
     }
   }
   if (!e) {
-    if (_ = c.ownerDocument || document, !L) return _.createTextNode(A);
-    e = _.createElementNS(r, L, A.is ? A : c), s && (M.__m && M.__m(t, i), s = !1), i = null;
+    if (_ = c.ownerDocument || document, !V) return _.createTextNode(M);
+    e = _.createElementNS(r, V, M.is ? M : c), s && (C.__m && C.__m(t, i), s = !1), i = null;
   }
-  if (L) {
-    if (c = L == "template" && e.content || e, i = L == "textarea" && A.defaultValue != null ? null : i && Mo.call(c.childNodes), !s && i) for (b = {}, u = 0; u < e.attributes.length; u++) b[(y = e.attributes[u]).name] = y.value;
-    for (u in b) y = b[u], u == "dangerouslySetInnerHTML" ? m = y : u == "children" || u in A || u == "value" && "defaultValue" in A || u == "checked" && "defaultChecked" in A || Sn(e, u, null, y, r);
-    for (u in A) y = A[u], u == "children" ? f = y : u == "dangerouslySetInnerHTML" ? p = y : u == "value" ? w = y : u == "checked" ? x = y : s && typeof y != "function" || b[u] === y || Sn(e, u, y, b[u], r);
-    p ? (s || m && (p.__html == m.__html || p.__html == e.innerHTML) || (e.innerHTML = p.__html), t.__k = []) : (m && (e.textContent = ""), (L == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ts.test(L)) && (r = "http://www.w3.org/1999/xhtml"), Jr(c, So(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && je(n, 0), s, d), i && i.some(et)), s && L != "textarea" || (u = "value", L == "progress" && w == null ? e.removeAttribute(u) : w == null || w === e[u] && (L != "progress" || w) || Sn(e, u, w, b[u], r), u = "checked", x != null && x != e[u] && Sn(e, u, x, b[u], r));
-  } else b === A || s && e.data == A || (e.data = A);
+  if (V) {
+    if (c = V == "template" && e.content || e, i = V == "textarea" && M.defaultValue != null ? null : i && Mo.call(c.childNodes), !s && i) for (w = {}, u = 0; u < e.attributes.length; u++) w[(b = e.attributes[u]).name] = b.value;
+    for (u in w) b = w[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in M || u == "value" && "defaultValue" in M || u == "checked" && "defaultChecked" in M || Sn(e, u, null, b, r);
+    for (u in M) b = M[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? S = b : s && typeof b != "function" || w[u] === b || Sn(e, u, b, w[u], r);
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ns.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Jr(c, So(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(et)), s && V != "textarea" || (u = "value", V == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (V != "progress" || y) || Sn(e, u, y, w[u], r), u = "checked", S != null && S != e[u] && Sn(e, u, S, w[u], r));
+  } else w === M || s && e.data == M || (e.data = M);
   return e;
 }
 function Eo(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
-    M.__e(r, n);
+    C.__e(r, n);
   }
 }
 function To(e, t, n) {
   var o, r, i, a;
-  if (M.unmount && M.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Eo(o, null, t, e), o = e.__c) {
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Eo(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (s) {
-      M.__e(s, t);
+      C.__e(s, t);
     }
     o.__P = o.__n = null;
   }
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && To(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = Cn(o, i = [])) && (o == e.__e && i.some(et), et(r), et(o)), n || et(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ss(e, t, n) {
+function ls(e, t, n) {
   return this.constructor(e, n);
 }
 function ni(e, t) {
   var n, o, r, i;
-  M.__ && M.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Co(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Mo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ti(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Co(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Mo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ti(r, t.__k, i), t.__k.props.children = null;
 }
-M = { __e: function(e, t, n, o) {
+C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
     r.__g |= 4;
     try {
@@ -247,24 +247,24 @@ M = { __e: function(e, t, n, o) {
   n && n != this.state || (n = this.__s = tt({}, this.state)), typeof e == "function" && (e = e(tt({}, n), this.props)), e && (tt(n, e), this.__v && (t && this.__k.push(t), Ur(this)));
 }, gt.prototype.forceUpdate = function(e) {
   this.__v && (this.__g |= 4, e && this.__h.push(e), Ur(this));
-}, gt.prototype.render = X, qe = [], En = 0, zr = function(e, t) {
+}, gt.prototype.render = X, Fe = [], En = 0, zr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Mn = /* @__PURE__ */ Symbol(), Gr = /(PointerCapture)$|Capture$/i, xo = 0, wo = {}, es = 0;
+}, Mn = /* @__PURE__ */ Symbol(), Gr = /(PointerCapture)$|Capture$/i, xo = 0, wo = {}, ts = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Po, oi, ls = Object.is, $o = 0, pi = [], Lo = [], N = M, ri = N.__b, ii = N.__r, ai = N.diffed, si = N.__c, li = N.unmount, ui = N.__;
+var Xt, re, Po, oi, us = Object.is, $o = 0, pi = [], Lo = [], F = C, ri = F.__b, ii = F.__r, ai = F.diffed, si = F.__c, li = F.unmount, ui = F.__;
 function Io(e, t) {
-  N.__h && N.__h(re, e, $o || t), $o = 0;
+  F.__h && F.__h(re, e, $o || t), $o = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function Se(e, t) {
+function Me(e, t) {
   var n = Io(Xt++, 3);
-  !N.__s && Ao(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
+  !F.__s && Ao(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function us(e, t) {
+function cs(e, t) {
   var n = Io(Xt++, 4);
-  !N.__s && Ao(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+  !F.__s && Ao(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
 function te(e) {
   return $o = 5, $n(function() {
@@ -275,41 +275,41 @@ function $n(e, t) {
   var n = Io(Xt++, 7);
   return Ao(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function cs() {
+function fs() {
   var e;
   do {
     for (; e = Lo.shift(); ) try {
       Gt(e);
     } catch (n) {
-      N.__e(n, { __: (e = e.__P) && e.__v });
+      F.__e(n, { __: (e = e.__P) && e.__v });
     }
     for (; e = pi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Vo), t.__h = [];
       } catch (n) {
-        t.__h = [], N.__e(n, e.__v);
+        t.__h = [], F.__e(n, e.__v);
       }
     }
   } while (Lo.length);
 }
-N.__b = function(e) {
+F.__b = function(e) {
   re = null, ri && ri(e);
-}, N.__ = function(e, t) {
+}, F.__ = function(e, t) {
   e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ui && ui(e, t);
-}, N.__r = function(e) {
+}, F.__r = function(e) {
   ii && ii(e), Xt = 0;
   var t = (re = e.__c).__H;
   t && (Po == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Vo), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Po = re;
-}, N.diffed = function(e) {
+}, F.diffed = function(e) {
   ai && ai(e);
   var t = e.__c;
   t && t.__H && (t.__H.__h.length && fi(pi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Po = re = null;
-}, N.__c = function(e, t) {
+}, F.__c = function(e, t) {
   t.some(function(n) {
     try {
       n.__h.some(Gt), n.__h = n.__h.filter(function(o) {
@@ -321,7 +321,7 @@ N.__b = function(e) {
       }];
     }
   }), si && si(e, t);
-}, N.unmount = function(e) {
+}, F.unmount = function(e) {
   li && li(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
@@ -336,17 +336,17 @@ N.__b = function(e) {
     } catch (i) {
       t = i;
     }
-  }), o.__H = void 0, t && N.__e(t, o.__v));
+  }), o.__H = void 0, t && F.__e(t, o.__v));
 };
 var ci = typeof requestAnimationFrame == "function";
-function fs(e) {
+function ps(e) {
   var t, n = function() {
     clearTimeout(o), ci && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
   ci && (t = requestAnimationFrame(n));
 }
 function fi(e) {
-  e != 1 && oi == N.requestAnimationFrame || ((oi = N.requestAnimationFrame) || fs)(cs);
+  e != 1 && oi == F.requestAnimationFrame || ((oi = F.requestAnimationFrame) || ps)(fs);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -358,15 +358,15 @@ function Vo(e) {
 }
 function Ao(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !ls(n, e[o]);
+    return !us(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ps = /* @__PURE__ */ Symbol.for("preact-signals");
+var ds = /* @__PURE__ */ Symbol.for("preact-signals");
 function An() {
-  if (Ae > 1)
-    Ae--;
+  if (Re > 1)
+    Re--;
   else {
     var e, t = !1;
     for ((function() {
@@ -388,12 +388,12 @@ function An() {
         n = o;
       }
     }
-    if (Ln = 0, Ae--, t) throw e;
+    if (Ln = 0, Re--, t) throw e;
   }
 }
 function Rn(e) {
-  if (Ae > 0) return e();
-  Ro = ++ds, Ae++;
+  if (Re > 0) return e();
+  Ro = ++ms, Re++;
   try {
     return e();
   } finally {
@@ -410,7 +410,7 @@ function ie(e) {
     H = t, Yt = n;
   }
 }
-var Qt = void 0, Ae = 0, Ln = 0, ds = 0, Ro = 0, Vn = void 0, In = 0;
+var Qt = void 0, Re = 0, Ln = 0, ms = 0, Ro = 0, Vn = void 0, In = 0;
 function di(e) {
   if (H !== void 0) {
     var t = e.n;
@@ -423,7 +423,7 @@ function di(e) {
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ps;
+Y.prototype.brand = ds;
 Y.prototype.h = function() {
   return !0;
 };
@@ -446,7 +446,7 @@ Y.prototype.U = function(e) {
 };
 Y.prototype.subscribe = function(e) {
   var t = this;
-  return C(function() {
+  return E(function() {
     var n = t.value;
     ie(function() {
       return e(n);
@@ -475,8 +475,8 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
   if (e !== this.v) {
     if (Ln > 100) throw new Error("Cycle detected");
     (function(n) {
-      Ae !== 0 && Ln === 0 && n.l !== Ro && (n.l = Ro, Vn = { S: n, v: n.v, i: n.i, o: Vn });
-    })(this), this.v = e, this.i++, In++, Ae++;
+      Re !== 0 && Ln === 0 && n.l !== Ro && (n.l = Ro, Vn = { S: n, v: n.v, i: n.i, o: Vn });
+    })(this), this.v = e, this.i++, In++, Re++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
@@ -557,7 +557,7 @@ function q(e, t) {
 function gi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Ae++;
+    Re++;
     var n = H;
     H = void 0;
     try {
@@ -573,7 +573,7 @@ function Ho(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
   e.x = void 0, e.s = void 0, gi(e);
 }
-function ms(e) {
+function hs(e) {
   if (H !== this) throw new Error("Out-of-order effect");
   vi(this), H = e, this.f &= -2;
   try {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, gi(this), hi(this), Ae++;
+  this.f |= 1, this.f &= -9, gi(this), hi(this), Re++;
   var e = H;
-  return H = this, ms.bind(this, e);
+  return H = this, hs.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -610,7 +610,7 @@ bt.prototype.d = function() {
 bt.prototype.dispose = function() {
   this.d();
 };
-function C(e, t) {
+function E(e, t) {
   var n = new bt(e, t);
   try {
     n.c();
@@ -622,12 +622,12 @@ function C(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Ko, Zt, Hn, hs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, bi = [], _i = [];
-C(function() {
+var Ko, Zt, Hn, vs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, bi = [], _i = [];
+E(function() {
   Ko = this.N;
 })();
 function _t(e, t) {
-  M[e] = t.bind(null, M[e] || function() {
+  C[e] = t.bind(null, C[e] || function() {
   });
 }
 function Jt(e) {
@@ -641,8 +641,8 @@ function yi(e) {
   var t = this, n = e.data, o = ot(n);
   o.name = "ReactiveDom", o.value = n;
   var r = $n(function() {
-    for (var s = t, d = t.__v; d = d.__; ) if (d.__c) {
-      d.__c.__$f |= 4;
+    for (var s = t, p = t.__v; p = p.__; ) if (p.__c) {
+      p.__c.__$f |= 4;
       break;
     }
     var c = q(function() {
@@ -650,14 +650,14 @@ function yi(e) {
       return f === 0 ? 0 : f === !0 ? "" : f || "";
     }), u = q(function() {
       return !Array.isArray(c.value) && !ko(c.value);
-    }), p = C(function() {
+    }), d = E(function() {
       if (this.N = wi, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
     }), m = t.__$u.d;
     return t.__$u.d = function() {
-      p(), m.call(this);
+      d(), m.call(this);
     }, [u, c];
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
@@ -685,13 +685,13 @@ _t("__r", function(e, t) {
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
-      return C(function() {
+      return E(function() {
         a = this;
       }, { name: i }), a.c = r, a;
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        hs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        vs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -710,19 +710,19 @@ _t("diffed", function(e, t) {
     }
     if (o) {
       i || (i = {}, n.U = i);
-      for (var d in o) {
-        var c = i[d], u = o[d];
-        c === void 0 ? (c = vs(n, d, u, r), i[d] = c) : c.o(u, r);
+      for (var p in o) {
+        var c = i[p], u = o[p];
+        c === void 0 ? (c = gs(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function vs(e, t, n, o) {
+function gs(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
-  }, d: C(function() {
+  }, d: E(function() {
     this.N = wi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
@@ -744,7 +744,7 @@ _t("unmount", function(e, t) {
     var a = t.__np;
     if (a) {
       var s = t.props;
-      for (var d in a) s[d] = a[d];
+      for (var p in a) s[p] = a[p];
     }
     t.__np = void 0;
   } else {
@@ -777,38 +777,38 @@ function ot(e, t) {
     return g(e, t);
   }, []);
 }
-var gs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var bs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, bs = function(e) {
+}, _s = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function _s() {
+function ys() {
   Rn(function() {
     for (var e; e = bi.shift(); ) Ko.call(e);
   });
 }
-function ys() {
-  bi.push(this) === 1 && (M.requestAnimationFrame || gs)(_s);
-}
 function ws() {
+  bi.push(this) === 1 && (C.requestAnimationFrame || bs)(ys);
+}
+function ks() {
   Rn(function() {
     for (var e; e = _i.shift(); ) Ko.call(e);
   });
 }
 function wi() {
-  _i.push(this) === 1 && (M.requestAnimationFrame || bs)(ws);
+  _i.push(this) === 1 && (C.requestAnimationFrame || _s)(ks);
 }
 function ki(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
-  Se(function() {
-    return C(function() {
-      if (this.N = ys, !(o && 8 & o.__$f)) return n.current();
+  Me(function() {
+    return E(function() {
+      if (this.N = ws, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
@@ -864,9 +864,16 @@ var en = class {
     for (let [n, o] of this.own) t[n] = o.value;
     this.shown.value = { ...this.server, ...t };
   }
-}, Me = class {
+};
+function xi(e) {
+  let { name: t, group: n, lamps: o } = e;
+  return `${t} ${n} ${o}`;
+}
+var Ce = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
+  /** Grows when an entry is called otherwise or belongs elsewhere: what lists are made of. */
+  order = g(0);
   entries = /* @__PURE__ */ new Map();
   get(t) {
     if (t == null) return;
@@ -874,8 +881,15 @@ var en = class {
     if (n) return n.shown.value;
     this.ids.value;
   }
+  has(t) {
+    return this.ids.value, this.entries.has(t);
+  }
   entry(t) {
     return this.entries.get(t);
+  }
+  /** All entries as they are; whoever asks inside of an effect hears only of what changes lists. */
+  listed() {
+    return this.order.value, this.ids.value.map((t) => [t, this.entries.get(t).shown.peek()]);
   }
   /** All entries; whoever asks inside of an effect hears of each change. */
   all() {
@@ -890,82 +904,82 @@ var en = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? a.receive(r) : (this.entries.set(i, new en(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (xi(a.shown.peek()) !== xi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new en(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, k = new Me(), K = new Me(), he = new Me(), wt = new Me(), kt = new Me(), xt = new Me(), St = new Me(), Dn = new Me(), tn = {
+}, k = new Ce(), O = new Ce(), ve = new Ce(), wt = new Ce(), kt = new Ce(), xt = new Ce(), St = new Ce(), On = new Ce(), tn = {
   lamps: k,
-  groups: K,
-  things: he,
+  groups: O,
+  things: ve,
   materials: wt,
   views: kt,
   looks: xt,
   meters: St,
-  grids: Dn
-}, J = g(null), on = g([]), we = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), j = g({ you: !0, name: null }), Ce = g(null), On = new en({
+  grids: On
+}, J = g(null), on = g([]), we = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), j = g({ you: !0, name: null }), Ee = g(null), Dn = new en({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), at = On.shown, Do = {
+}), at = Dn.shown, Oo = {
   scene: J,
   layers: on,
   solo: we,
   history: rt,
   saved: it,
   editor: j,
-  status: Ce
+  status: Ee
 };
-function xi(e) {
+function Si(e) {
   Kn.clear();
   for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Do)) t in e && (n.value = e[t]);
-  yt(e.display) && On.receive(e.display);
+  for (let [t, n] of Object.entries(Oo)) t in e && (n.value = e[t]);
+  yt(e.display) && Dn.receive(e.display);
 }
-function Si(e, t) {
+function Mi(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in tn ? tn[n].patch(o) : n === "display" ? On.receive(o) : n in Do && (Do[n].value = o);
+    n in tn ? tn[n].patch(o) : n === "display" ? Dn.receive(o) : n in Oo && (Oo[n].value = o);
   Mt(t);
 }
 function Mt(e) {
   for (let t of [...Kn]) t.release(e);
 }
-function Mi(e, t) {
+function Ci(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in tn && yt(o))
       for (let [r, i] of Object.entries(o)) {
         let a = tn[n].entry(Number(r));
         a && yt(i) && t(a, i);
       }
-    else n === "display" && yt(o) && t(On, o);
+    else n === "display" && yt(o) && t(Dn, o);
 }
-var Oo = (e, t) => Mi(e, (n, o) => n.keep(o, t)), Fn = (e, t) => Mi(e, (n, o) => n.settle(o, t));
-function Re(e) {
-  let t = K.get(e.group);
+var Do = (e, t) => Ci(e, (n, o) => n.keep(o, t)), Nn = (e, t) => Ci(e, (n, o) => n.settle(o, t));
+function He(e) {
+  let t = O.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-var Ci = q(() => {
+var Ei = q(() => {
   let e = k.all();
-  return e.length > 0 && e.every(([, t]) => Re(t) === 0);
+  return e.length > 0 && e.every(([, t]) => He(t) === 0);
 });
-function ks(e, t) {
+function xs(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/say.ts
-var st = g([]), xs = 0;
+var st = g([]), Ss = 0;
 function ae(e, t = "plain") {
   if (st.peek().find((r) => r.text === e)) return;
-  let o = ++xs;
-  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Fo(o), t === "warn" ? 8e3 : 4e3);
+  let o = ++Ss;
+  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => No(o), t === "warn" ? 8e3 : 4e3);
 }
-function Fo(e) {
+function No(e) {
   st.value = st.peek().filter((t) => t.id !== e);
 }
 
@@ -977,13 +991,13 @@ var se = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Ei = 0;
+}, Ti = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Ei = t.timeStamp, { capture: !0, passive: !0 });
-function Ti(e, t) {
-  se.sent.push({ seq: e, what: t, at: performance.now(), input: Ei }), se.sent.length > 1024 && se.sent.shift();
+  addEventListener(e, (t) => Ti = t.timeStamp, { capture: !0, passive: !0 });
+function Pi(e, t) {
+  se.sent.push({ seq: e, what: t, at: performance.now(), input: Ti }), se.sent.length > 1024 && se.sent.shift();
 }
-function Pi(e) {
+function $i(e) {
   se.frame = e.frame, se.seqApplied = e.seq, se.firstDrawn ||= e.drawn, se.frames.push(e), se.frames.length > 1024 && se.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -994,22 +1008,22 @@ function Pi(e) {
 window.__desk = se;
 
 // src/wire.ts
-var U = g("entering"), sn = g(0), fe = g("edit"), jo = g(null), He = g(0), $i = () => null, Li = (e) => {
-  $i = e;
-}, Nn = /* @__PURE__ */ new Map(), Ue = null, rn = 0, No = null, an = 0, Ct = "", qn = !1;
+var U = g("entering"), sn = g(0), pe = g("edit"), jo = g(null), Ke = g(0), Li = () => null, Vi = (e) => {
+  Li = e;
+}, Fn = /* @__PURE__ */ new Map(), je = null, rn = 0, Fo = null, an = 0, Ct = "", qn = !1;
 function ke(e, t) {
-  let n = Nn.get(e) ?? /* @__PURE__ */ new Set();
-  return Nn.set(e, n.add(t)), () => n.delete(t);
+  let n = Fn.get(e) ?? /* @__PURE__ */ new Set();
+  return Fn.set(e, n.add(t)), () => n.delete(t);
 }
-function D(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, Ue.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Ti(rn, e.do), rn);
+function K(e) {
+  return !je || je.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, je.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Pi(rn, e.do), rn);
 }
-var Ss = 0, lt = /* @__PURE__ */ new Map();
+var Ms = 0, lt = /* @__PURE__ */ new Map();
 function xe(e, t, n, o = () => {
 }) {
-  let r = ++Ss, i = ke("answer", (s) => {
+  let r = ++Ms, i = ke("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
-  }), a = D({ do: "ask", id: r, what: e, ...t });
+  }), a = K({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
   lt.set(a, (s) => {
@@ -1021,26 +1035,26 @@ function xe(e, t, n, o = () => {
   }
   return i;
 }
-function Ms(e) {
+function Cs(e) {
   switch (e.is) {
     case "hello":
-      if (an = 0, No !== null && e.build !== No) {
-        U.value = "renewed", Ue?.close();
+      if (an = 0, Fo !== null && e.build !== Fo) {
+        U.value = "renewed", je?.close();
         return;
       }
-      No = e.build, fe.value = e.role === "watch" ? "watch" : "edit", jo.value = e.you === void 0 ? null : String(e.you), He.value = 0, lt.clear(), U.value = "open";
+      Fo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", jo.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      xi(e.state ?? e);
+      Si(e.state ?? e);
       break;
     case "patch":
-      qo(e.seq), Si(e.patch ?? {}, He.value);
+      qo(e.seq), Mi(e.patch ?? {}, Ke.value);
       break;
     case "status":
-      Ce.value = e;
+      Ee.value = e;
       break;
     case "refused":
-      if (qo(e.seq), Mt(He.value), lt.has(e.seq)) {
+      if (qo(e.seq), Mt(Ke.value), lt.has(e.seq)) {
         lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
         return;
       }
@@ -1049,12 +1063,12 @@ function Ms(e) {
       e.what === "bye" && (qn = !0);
       break;
   }
-  for (let t of [...Nn.get(e.is) ?? []]) t(e);
+  for (let t of [...Fn.get(e.is) ?? []]) t(e);
 }
 function qo(e) {
-  typeof e == "number" && e > He.value && (He.value = e);
+  typeof e == "number" && e > Ke.value && (Ke.value = e);
 }
-async function Vi() {
+async function Ii() {
   if (!Ct) return "in";
   try {
     return (await fetch("/enter", {
@@ -1066,26 +1080,26 @@ async function Vi() {
     return "away";
   }
 }
-function Ii() {
+function Ai() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  Ue = t, Nn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
-    if (t !== Ue) return;
+  je = t, Fn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = $i(o.data);
+      let i = Li(o.data);
       i && qo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, rn = 0), Ms(r);
+    r.is === "hello" && (n = !0, rn = 0), Cs(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Cs(n));
+    t === je && (je = null, U.value !== "renewed" && Es(n));
   };
 }
-async function Cs(e) {
-  if (Mt(1 / 0), !e && await Es()) {
-    let o = await Vi();
+async function Es(e) {
+  if (Mt(1 / 0), !e && await Ts()) {
+    let o = await Ii();
     if (o === "denied" || o === "in" && an > 4 && !Ct) {
       U.value = "denied";
       return;
@@ -1097,33 +1111,33 @@ async function Cs(e) {
   let n = Math.min(5, an);
   for (let o = n; o > 0; o--)
     sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  sn.value = 0, Ii();
+  sn.value = 0, Ai();
 }
-async function Es() {
+async function Ts() {
   try {
-    return (await fetch("/", { method: "HEAD", cache: "no-store" })).ok;
+    return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Ai() {
+async function Ri() {
   let e = location.hash.slice(1);
-  if (e ? (Ct = e, sessionStorage.setItem("lampyris-key", Ct), window.history.replaceState(null, "", location.pathname + location.search)) : Ct = sessionStorage.getItem("lampyris-key") ?? "", se.entered = performance.now(), e && await Vi() === "denied") {
+  if (e ? (Ct = e, sessionStorage.setItem("lampyris-key", Ct), window.history.replaceState(null, "", location.pathname + location.search)) : Ct = sessionStorage.getItem("lampyris-key") ?? "", se.entered = performance.now(), e && await Ii() === "denied") {
     U.value = "denied";
     return;
   }
-  Ii();
+  Ai();
 }
 ke("hello", () => qn = !1);
 
 // src/gesture.ts
-var Et = 0, Ki = /* @__PURE__ */ new Set(), Di = (e) => {
-  Ki.add(e);
+var Et = 0, Oi = /* @__PURE__ */ new Set(), Di = (e) => {
+  Oi.add(e);
 }, ln = /* @__PURE__ */ new Set();
 function jn() {
-  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : fe.value === "watch" ? "You are watching. Ask for the pen to change things." : j.value.you ? null : `${j.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
+  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : j.value.you ? null : `${j.value.name ?? "Somebody else"} has the pen. Take it to change things.`;
 }
-var Ri = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), We = class {
+var Hi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ue = class {
   constructor(t) {
     this.label = t;
   }
@@ -1135,21 +1149,21 @@ var Ri = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (Oo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= He.peek() && this.flush());
+    this.state === "over" || !this.begin() || (Do(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= Ke.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = D(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Fn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ri(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Nn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Hi(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Fn(this.touched, 0), this.finish({ do: "cancel" }), Mt(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, Nn(this.touched, 0), this.finish({ do: "cancel" }), Mt(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
-    this.waiting && this.under <= He.peek() && this.flush();
+    this.waiting && this.under <= Ke.peek() && this.flush();
   }
   /** The line is gone, and with it what was held. */
   drop() {
@@ -1158,57 +1172,57 @@ var Ri = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = ie(jn);
-    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Et === 0 && Ki.forEach((n) => n()), Et++ === 0 && (this.last = D({ do: "begin", label: Ri(this.label) })), !0);
+    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Et === 0 && Oi.forEach((n) => n()), Et++ === 0 && (this.last = K({ do: "begin", label: Hi(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = D({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    ln.delete(this), Et = Math.max(0, Et - 1), Et === 0 && D(t);
+    ln.delete(this), Et = Math.max(0, Et - 1), Et === 0 && K(t);
   }
 };
-function Te(e, t) {
-  let n = new We(e);
+function Pe(e, t) {
+  let n = new Ue(e);
   n.set(t), n.end();
 }
-function Ts(e, t) {
-  let n = new We(e);
+function Ps(e, t) {
+  let n = new Ue(e);
   n.also(t), n.end();
 }
 function Tt(e) {
-  ie(() => U.value) === "open" && (Oo({ display: e }, 1 / 0), Fn({ display: e }, D({ do: "display", patch: e })));
+  ie(() => U.value) === "open" && (Do({ display: e }, 1 / 0), Nn({ display: e }, K({ do: "display", patch: e })));
 }
-var Ee = null;
+var Te = null;
 function Uo(e, t, n) {
-  Ee && Ee.key !== e && Hi(), Ee ??= { key: e, gesture: new We(t), timer: 0 }, Ee.gesture.set(n), clearTimeout(Ee.timer), Ee.timer = window.setTimeout(Hi, 700);
+  Te && Te.key !== e && Ki(), Te ??= { key: e, gesture: new Ue(t), timer: 0 }, Te.gesture.set(n), clearTimeout(Te.timer), Te.timer = window.setTimeout(Ki, 700);
 }
-function Hi() {
-  Ee && (clearTimeout(Ee.timer), Ee.gesture.end(), Ee = null);
+function Ki() {
+  Te && (clearTimeout(Te.timer), Te.gesture.end(), Te = null);
 }
-C(() => {
-  He.value, ie(() => [...ln].forEach((e) => e.followed()));
+E(() => {
+  Ke.value, ie(() => [...ln].forEach((e) => e.followed()));
 });
-C(() => {
+E(() => {
   U.value !== "open" && [...ln].forEach((e) => e.drop());
 });
 
 // src/vec.ts
-var V = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], F = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ve = (e, t) => [
+var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], D = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], x = (e, t) => [e[0] * t, e[1] * t, e[2] * t], N = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Ke = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Ke(O(e, t)), Ps = (e, t, n) => V(S(e, 1 - n), S(t, n));
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Oe(D(e, t)), $s = (e, t, n) => I(x(e, 1 - n), x(t, n));
 function Z(e, t = [0, 0, 1]) {
-  let n = Ke(e);
-  return n > 1e-12 ? S(e, 1 / n) : t;
+  let n = Oe(e);
+  return n > 1e-12 ? x(e, 1 / n) : t;
 }
 function ut(e) {
-  let t = Math.abs(e[0]) < 0.7 * Ke(e) ? [1, 0, 0] : [0, 1, 0];
-  return Z(ve(t, e));
+  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
+  return Z(ge(t, e));
 }
 function un(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return V(V(S(e, o), S(ve(t, e), r)), S(t, F(t, e) * (1 - o)));
+  return I(I(x(e, o), x(ge(t, e), r)), x(t, N(t, e) * (1 - o)));
 }
 function Pt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
@@ -1217,87 +1231,87 @@ function Pt([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var Be = ([e, t]) => Ps(e, t, 0.5);
+var We = ([e, t]) => $s(e, t, 0.5);
 
 // src/camera.ts
 var Wo = Math.PI / 180, Un = 89 * Wo;
 function $t(e, t, n) {
-  let o = Z(O(e.target, e.eye), [0, 0, -1]), r = Z(ve(o, e.up), ut(o)), i = ve(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * Wo * 0.5) / n;
+  let o = Z(D(e.target, e.eye), [0, 0, -1]), r = Z(ge(o, e.up), ut(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * Wo * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
 function cn(e, t) {
-  let n = O(t, e.eye), o = F(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
-  return [e.width / 2 + F(n, e.side) / r, e.height / 2 - F(n, e.up) / r, o];
+  let n = D(t, e.eye), o = N(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  return [e.width / 2 + N(n, e.side) / r, e.height / 2 - N(n, e.up) / r, o];
 }
-function $s(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = V(S(e.side, o), S(e.up, r));
-  return e.parallel ? { origin: V(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(V(e.forward, i)) };
+function Ls(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(x(e.side, o), x(e.up, r));
+  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
 }
-function Oi(e, t, n, o) {
-  let r = O(e.target, e.eye), i = Math.max(Ke(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, F(Z(r), t)))), s = O(r, S(t, F(r, t))), d = Z(Ke(s) > 1e-6 * i ? s : O(e.up, S(t, F(e.up, t))), ut(t)), c = Math.max(-Un, Math.min(Un, a + o)), u = un(d, t, n), p = V(S(u, Math.cos(c)), S(t, Math.sin(c)));
-  return { ...e, up: t, target: V(e.eye, S(p, i)) };
+function Ni(e, t, n, o) {
+  let r = D(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, N(Z(r), t)))), s = D(r, x(t, N(r, t))), p = Z(Oe(s) > 1e-6 * i ? s : D(e.up, x(t, N(e.up, t))), ut(t)), c = Math.max(-Un, Math.min(Un, a + o)), u = un(p, t, n), d = I(x(u, Math.cos(c)), x(t, Math.sin(c)));
+  return { ...e, up: t, target: I(e.eye, x(d, i)) };
 }
 function Fi(e, t, n, o, r) {
-  let i = O(e.target, e.eye), a = O(i, S(t, F(i, t))), s = Z(Ke(a) > 1e-6 ? a : e.up, ut(t)), d = Z(ve(s, t)), c = V(V(S(s, n), S(d, o)), S(t, r));
-  return ze(e, c);
-}
-function Ni(e, t, n, o, r) {
-  let i = Z(O(e.target, e.eye)), a = Z(ve(i, e.up), ut(i));
-  return ze(e, V(V(S(i, n), S(a, o)), S(t, r)));
-}
-function ze(e, t) {
-  return { ...e, eye: V(e.eye, t), target: V(e.target, t) };
+  let i = D(e.target, e.eye), a = D(i, x(t, N(i, t))), s = Z(Oe(a) > 1e-6 ? a : e.up, ut(t)), p = Z(ge(s, t)), c = I(I(x(s, n), x(p, o)), x(t, r));
+  return Be(e, c);
 }
 function qi(e, t, n, o, r) {
-  let i = Z(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, F(i, t)))), s = Math.max(-Un, Math.min(Un, a + r)), d = Z(ve(i, t), Z(ve(i, e.up), ut(i))), c = (u) => un(un(u, d, s - a), t, o);
+  let i = Z(D(e.target, e.eye)), a = Z(ge(i, e.up), ut(i));
+  return Be(e, I(I(x(i, n), x(a, o)), x(t, r)));
+}
+function Be(e, t) {
+  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+}
+function ji(e, t, n, o, r) {
+  let i = Z(D(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, N(i, t)))), s = Math.max(-Un, Math.min(Un, a + r)), p = Z(ge(i, t), Z(ge(i, e.up), ut(i))), c = (u) => un(un(u, p, s - a), t, o);
   return {
     ...e,
     up: t,
-    eye: V(n, c(O(e.eye, n))),
-    target: V(n, c(O(e.target, n)))
+    eye: I(n, c(D(e.eye, n))),
+    target: I(n, c(D(e.target, n)))
   };
 }
-function ji(e, t, n, o, r) {
+function Ui(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return ze(e, V(S(t.side, -n * i), S(t.up, o * i)));
+  return Be(e, I(x(t.side, -n * i), x(t.up, o * i)));
 }
 function Wn(e, t, n, o, r) {
-  let i = O(t, e.eye), a = Ke(i);
+  let i = D(t, e.eye), a = Oe(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), ze(e, S(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Be(e, x(i, s / a));
 }
 function Bn(e, t, n, o, r) {
-  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = V(
-    S(t.side, (n - t.width / 2) * a),
-    S(t.up, (t.height / 2 - o) * a)
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
+    x(t.side, (n - t.width / 2) * a),
+    x(t.up, (t.height / 2 - o) * a)
   );
-  return { ...ze(e, s), height: i };
+  return { ...Be(e, s), height: i };
 }
-function Ui(e, t, n = 0.4) {
-  let o = Be(t), r = Math.max(De(t[0], t[1]) / 2, 0.15), i = Z(O(e.eye, e.target));
+function Wi(e, t, n = 0.4) {
+  let o = We(t), r = Math.max(De(t[0], t[1]) / 2, 0.15), i = Z(D(e.eye, e.target));
   if (e.height) {
-    let s = F(O(e.eye, o), i);
-    return { ...e, eye: V(o, S(i, s)), target: o, height: r * 3 };
+    let s = N(D(e.eye, o), i);
+    return { ...e, eye: I(o, x(i, s)), target: o, height: r * 3 };
   }
   let a = Math.max(1.5 * r / Math.tan(e.fov * Wo * 0.5), n + r);
-  return { ...e, eye: V(o, S(i, a)), target: o };
+  return { ...e, eye: I(o, x(i, a)), target: o };
 }
-var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
-function Wi(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ve(e, t));
-  return { right: Z(ve(n, e)), ahead: n };
+var Vs = ["plan", "ceiling", "north", "east", "south", "west"];
+function Bi(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ge(e, t));
+  return { right: Z(ge(n, e)), ahead: n };
 }
-function Bi(e, t, n, o) {
-  let { right: r, ahead: i } = Wi(n), a = Be(t), s = (y) => Math.abs(F(O(t[1], t[0]), y)), c = {
-    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
+function zi(e, t, n, o) {
+  let { right: r, ahead: i } = Bi(n), a = We(t), s = (b) => Math.abs(N(D(t[1], t[0]), b)), c = {
+    plan: { forward: x(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: x(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
+    south: { forward: x(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), p = 1, m = O(a, S(c.forward, u / 2 + p)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
-  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: p + u * c.cut };
+    west: { forward: x(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], u = s(c.forward), d = 1, m = D(a, x(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
+  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
 }
 function fn(e, t) {
   let n = (r, i) => De(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
@@ -1305,9 +1319,9 @@ function fn(e, t) {
 }
 
 // src/frames.ts
-var W = g(null), Vt = g(0), zi = ["moving", "settled", "final"], Gi = 32, Lt = /* @__PURE__ */ new Map(), Pe = null, Bo = null, zo = !1, ct = null;
-function Vs(e) {
-  if (e.byteLength < Gi) return null;
+var W = g(null), Vt = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Lt = /* @__PURE__ */ new Map(), $e = null, Bo = null, zo = !1, ct = null;
+function Is(e) {
+  if (e.byteLength < Xi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1315,7 +1329,7 @@ function Vs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: zi[Math.min(t.getUint8(16), 2)],
+    kind: Gi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1323,31 +1337,31 @@ function Vs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Is(e) {
-  let t = Vs(e);
-  return t ? (ct && D({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, zo || As(), t.head) : null;
+function As(e) {
+  let t = Is(e);
+  return t ? (ct && K({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, zo || Rs(), t.head) : null;
 }
-async function As() {
+async function Rs() {
   for (zo = !0; ct; ) {
     let { head: e, mime: t, bytes: n, received: o } = ct;
     ct = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Gi)], { type: t }));
-      Rs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
+      Hs(e, r, n.byteLength, o);
     } catch {
     }
-    D({ do: "ack", frame: e.frame });
+    K({ do: "ack", frame: e.frame });
   }
   zo = !1;
 }
-function Rs(e, t, n, o) {
+function Hs(e, t, n, o) {
   let r = performance.now();
-  Pe && Bo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Bo.drawImage(t, 0, 0)), t.close();
+  $e && Bo && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), Bo.drawImage(t, 0, 0)), t.close();
   let i = Lt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Hs(), Pi({
+  i && (W.value = { head: e, camera: i }), Ks(), $i({
     frame: e.frame,
     seq: e.seq,
-    kind: zi.indexOf(e.kind),
+    kind: Gi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1361,19 +1375,19 @@ function Rs(e, t, n, o) {
   });
 }
 var zn = [];
-function Hs() {
+function Ks() {
   let e = performance.now();
   zn = zn.filter((t) => e - t < 1e3), zn.push(e), Vt.value = zn.length;
 }
 function Go(e) {
-  Pe = e, Bo = e?.getContext("2d", { alpha: !1 }) ?? null;
+  $e = e, Bo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Xi() {
-  if (!Pe || !W.peek()) return null;
+function Yi() {
+  if (!$e || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
+  return e.width = $e.width, e.height = $e.height, e.getContext("2d", { alpha: !1 })?.drawImage($e, 0, 0), e;
 }
-Li(Is);
+Vi(As);
 ke("camera", (e) => {
   Lt.set(e.number, e);
   for (let t of Lt.keys()) {
@@ -1386,64 +1400,64 @@ ke("line", () => {
 });
 
 // src/prefs.ts
-var Yi = "lampyris-";
+var Qi = "lampyris-";
 function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Yi + e);
+    let r = localStorage.getItem(Qi + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
   let o = g(n);
-  return C(() => {
+  return E(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Yi + e, r);
+      localStorage.setItem(Qi + e, r);
     } catch {
     }
   }), o;
 }
-var Xo = ue("theme", "dark"), Yo = ue("house-lights", 1), Gn = ue("hands", "default"), Qo = ue("walking", "walk"), Jo = ue("panels", !0), It = ue("listing", "faders"), Xn = ue("travel", "square"), At = ue("candles", "lx"), Zo = ue("single-keys", !0), er = ue("lamp-marks", !0), Ks = ue("maintenance", 1), Ge = ue("fine", !1), tr = ue("fade", 1), Ds = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, $e = ue("look-only", Ds);
+var Xo = ue("theme", "dark"), Yo = ue("house-lights", 1), Gn = ue("hands", "default"), Qo = ue("walking", "walk"), Jo = ue("panels", !0), It = ue("listing", "faders"), Xn = ue("travel", "square"), At = ue("candles", "lx"), Zo = ue("single-keys", !0), er = ue("lamp-marks", !0), Os = ue("maintenance", 1), ze = ue("fine", !1), tr = ue("fade", 1), Ds = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, Le = ue("look-only", Ds);
 
 // src/select.ts
-var E = g(null), pe = g(null), z = g(null), Os = g("move"), le = q(() => {
-  let e = E.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => k.get(t)) : e?.kind === "group" ? e.ids.flatMap((t) => K.get(t)?.lamps ?? []) : [];
+var T = g(null), de = g(null), z = g(null), Ns = g("move"), le = q(() => {
+  let e = T.value;
+  return e?.kind === "lamp" ? e.ids.filter((t) => k.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => O.get(t)?.lamps ?? []) : [];
 });
-function Xe(e, t, n = "only") {
-  let o = E.peek();
+function Ge(e, t, n = "only") {
+  let o = T.peek();
   if (n === "only" || o?.kind !== e) {
-    E.value = { kind: e, ids: [t] };
+    T.value = { kind: e, ids: [t] };
     return;
   }
   let r = o.ids.includes(t);
   if (r && n === "add") return;
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
-  E.value = i.length ? { kind: e, ids: i } : null;
+  T.value = i.length ? { kind: e, ids: i } : null;
 }
 function Yn() {
-  E.value = null;
+  T.value = null;
 }
-function Qi(e, t, n) {
-  let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return Xe(e, n);
-  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], d = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !d.includes(u));
-  E.value = { kind: e, ids: [...c, ...r < i ? d : d.reverse()] };
+function Ji(e, t, n) {
+  let o = T.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
+  if (r < 0) return Ge(e, n);
+  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
+  T.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
 function Fs(e) {
-  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? he.ids.peek() : K.ids.peek();
+  let t = T.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? ve.ids.peek() : O.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  Xe(n, o[(r + e + o.length) % o.length]);
+  Ge(n, o[(r + e + o.length) % o.length]);
 }
-function Ji(e, t) {
+function Zi(e, t) {
   switch (e) {
     case "lamp":
       return k.get(t)?.name ?? `lamp ${t}`;
     case "group":
-      return K.get(t)?.name ?? `group ${t}`;
+      return O.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return he.get(t)?.name ?? `thing ${t}`;
+      return ve.get(t)?.name ?? `thing ${t}`;
     case "material":
       return wt.get(t)?.name ?? `material ${t}`;
     default:
@@ -1451,113 +1465,113 @@ function Ji(e, t) {
   }
 }
 function Qn(e) {
-  return e.length === 1 ? Ji("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? Zi("lamp", e[0]) : `${e.length} lamps`;
 }
-function Zi(e, t) {
+function ea(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
     let i = k.get(e.lamp)?.group;
-    i != null && (K.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+    i != null && (O.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
     t === "only" && Yn();
     return;
   }
-  if (t !== "only") return Xe(n[0].kind, n[0].ids[0], t);
-  let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
-  E.value = n[(r + 1) % n.length];
+  if (t !== "only") return Ge(n[0].kind, n[0].ids[0], t);
+  let o = T.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
+  T.value = n[(r + 1) % n.length];
 }
 var Jn = g(null);
 
 // src/navigate.ts
-var Ns = 1.6, ge = g(null), ta = q(() => fe.value === "edit" && j.value.you), Le = q(() => J.value?.up ?? [0, 0, 1]), be = g([640, 480]), Kt = g(null), rr = null, pn = null, nr = !1, Ye = [], ar = [], ir = 0;
+var qs = 1.6, be = g(null), na = q(() => pe.value === "edit" && j.value.you), Ve = q(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Kt = g(null), rr = null, pn = null, nr = !1, Xe = [], ar = [], ir = 0;
 function Q(e, t = null) {
-  let n = ge.peek();
+  let n = be.peek();
   if (n && fn(n, e)) return;
   let o = performance.now();
-  n && (o - ir > 1e3 || t) && (Ye.push(n), Ye.length > 100 && Ye.shift(), ar.length = 0), ir = o, ge.value = e, Kt.value = t;
+  n && (o - ir > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), ar.length = 0), ir = o, be.value = e, Kt.value = t;
 }
-var ne = () => ge.peek();
-function qs() {
-  na(Ye, ar);
-}
+var ne = () => be.peek();
 function js() {
-  na(ar, Ye);
+  oa(Xe, ar);
 }
-function na(e, t) {
+function Us() {
+  oa(ar, Xe);
+}
+function oa(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = ge.peek();
-  o && t.push(o), ir = performance.now(), ge.value = n, Kt.value = null;
+  let o = be.peek();
+  o && t.push(o), ir = performance.now(), be.value = n, Kt.value = null;
 }
-C(() => {
-  !ge.value || U.value !== "open" || !ta.value || nr || (nr = !0, requestAnimationFrame(() => {
+E(() => {
+  !be.value || U.value !== "open" || !na.value || nr || (nr = !0, requestAnimationFrame(() => {
     nr = !1;
-    let t = ge.peek();
+    let t = be.peek();
     if (!t || pn && fn(pn, t)) return;
-    let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, d = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (d.height = a), s && (d.near = s), D(d) && (pn = t);
+    let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
+    a && (p.height = a), s && (p.near = s), K(p) && (pn = t);
   }));
 });
-C(() => {
+E(() => {
   let e = W.value;
   e && ie(() => {
-    ge.peek() && ta.peek() || (pn = e.camera, ge.value = e.camera, rr ??= e.camera);
+    be.peek() && na.peek() || (pn = e.camera, be.value = e.camera, rr ??= e.camera);
   });
 });
 ke("hello", () => pn = null);
-function Dt(e, t) {
+function Ot(e, t) {
   let n = W.peek();
   if (!n) return null;
   let { head: o } = n, r = dn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
 function dn(e, t) {
-  let [n, o] = be.peek(), r = Math.min(n / e, o / t);
+  let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function ft(e = ge.peek()) {
-  let [t, n] = be.peek();
+function ft(e = be.peek()) {
+  let [t, n] = _e.peek();
   return e ? $t(e, t, n) : null;
 }
-var Ht = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => Be(Ht());
+var Ht = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => We(Ht());
 function Zn(e, t) {
   let n = ne();
-  n && Q(Oi(n, Le.peek(), e, t));
+  n && Q(Ni(n, Ve.peek(), e, t));
 }
 function eo(e, t, n) {
   let o = ne();
-  o && Q(qi(o, Le.peek(), e, t, n));
+  o && Q(ji(o, Ve.peek(), e, t, n));
 }
-function Ft(e, t, n) {
+function Nt(e, t, n) {
   let o = ne(), r = ft();
-  o && r && Q(ji(o, r, e, t, n));
+  o && r && Q(Ui(o, r, e, t, n));
 }
-function oa(e, t, n) {
+function ra(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
       let r = ft(o);
-      r && Q(ze(o, V(S(r.side, t), S(r.up, e))));
+      r && Q(Be(o, I(x(r.side, t), x(r.up, e))));
       return;
     }
-    Qo.peek() === "fly" || n !== 0 ? Q(Ni(o, Le.peek(), e, t, n)) : (Q(Fi(o, Le.peek(), e, t, 0)), Us());
+    Qo.peek() === "fly" || n !== 0 ? Q(qi(o, Ve.peek(), e, t, n)) : (Q(Fi(o, Ve.peek(), e, t, 0)), Ws());
   }
 }
-var Rt = !1, or = !0, ea = null;
-function Us() {
+var Rt = !1, or = !0, ta = null;
+function Ws() {
   let e = ne();
   if (!e || Rt || !or) return;
-  let t = Le.peek();
+  let t = Ve.peek();
   Rt = !0;
-  let n = xe("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
+  let n = xe("ray", { origin: e.eye, direction: x(t, -1) }, (o) => {
     Rt = !1, or = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    ea = F(o.point, t);
-    let i = ea + Ns - F(r.eye, t);
-    Math.abs(i) > 0.01 && Q(ze(r, S(t, i * 0.5)));
+    ta = N(o.point, t);
+    let i = ta + qs - N(r.eye, t);
+    Math.abs(i) > 0.01 && Q(Be(r, x(t, i * 0.5)));
   }, () => {
     Rt = !1, or = !1;
   });
@@ -1565,73 +1579,73 @@ function Us() {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function Ws() {
-  let e = E.peek();
+function Bs() {
+  let e = T.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(k.get(i)?.box, k.get(i)?.place?.position), e.kind === "thing" && n(he.get(i)?.box), e.kind === "meter" && n(null, St.get(i)?.point), e.kind === "group")
-      for (let a of K.get(i)?.lamps ?? []) n(k.get(a)?.box, k.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(k.get(i)?.box, k.get(i)?.place?.position), e.kind === "thing" && n(ve.get(i)?.box), e.kind === "meter" && n(null, St.get(i)?.point), e.kind === "group")
+      for (let a of O.get(i)?.lamps ?? []) n(k.get(a)?.box, k.get(a)?.place?.position);
   if (!t.length) return null;
   let o = t.flatMap(Pt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
 function sr() {
-  let e = ne(), t = Ws();
-  e && t ? Q(Ui(e, t), "selection") : lr();
+  let e = ne(), t = Bs();
+  e && t ? Q(Wi(e, t), "selection") : lr();
 }
 function lr() {
   rr && Q(rr, "home");
 }
-function Bs(e) {
-  let [t, n] = be.peek();
-  Q(Bi(e, Ht(), Le.peek(), t / n), e);
+function zs(e) {
+  let [t, n] = _e.peek();
+  Q(zi(e, Ht(), Ve.peek(), t / n), e);
 }
-function zs() {
-  for (let e = Ye.length - 1; e >= 0; e--)
-    if (!Ye[e].height) return Q(Ye[e], "inside");
+function Gs() {
+  for (let e = Xe.length - 1; e >= 0; e--)
+    if (!Xe[e].height) return Q(Xe[e], "inside");
   lr();
 }
-var Gs = q(() => {
-  let e = ge.value;
+var Xs = q(() => {
+  let e = be.value;
   if (!e?.height) return null;
-  let t = $t(e, 2, 2), n = Pt(Ht()).map((s) => F(O(s, e.eye), t.forward)), o = e.near ?? 0, r = F(t.forward, Le.value), i = Math.min(...Pt(Ht()).map((s) => F(s, Le.value))), a = Math.abs(r) > 0.99 ? F(e.eye, Le.value) + r * o - i : null;
+  let t = $t(e, 2, 2), n = Pt(Ht()).map((s) => N(D(s, e.eye), t.forward)), o = e.near ?? 0, r = N(t.forward, Ve.value), i = Math.min(...Pt(Ht()).map((s) => N(s, Ve.value))), a = Math.abs(r) > 0.99 ? N(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function Xs(e) {
+function Ys(e) {
   let t = ne();
-  t && (ge.value = { ...t, near: Math.max(0, e) });
+  t && (be.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var ur = g("spot"), ra = () => {
-}, Ys = (e) => {
-  ra = e;
-}, ia = (e) => ra(e);
+var ur = g("spot"), ia = () => {
+}, Qs = (e) => {
+  ia = e;
+}, aa = (e) => ia(e);
 function cr(e) {
   z.value = z.peek() === e ? null : e;
 }
 var to = (e) => Math.max(-1, ...e.ids.peek()) + 1;
 function fr(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Be(e.box) : null);
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? We(e.box) : null);
 }
 
 // src/actions.ts
-var pt = g(null), Ve = g("lamps"), dr = g("");
+var pt = g(null), Ie = g("lamps"), dr = g("");
 function oo(e) {
   let t = jn();
-  t ? ae(t, "warn") : D(e);
+  t ? ae(t, "warn") : K(e);
 }
-var Qs = (e, t) => Object.fromEntries(e.map((n) => [n, t])), Js = {
+var Js = (e, t) => Object.fromEntries(e.map((n) => [n, t])), Zs = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "viridis",
   lines: !1
-}, pr = Js, Zs = () => at.peek().false_color ?? pr;
+}, pr = Zs, el = () => at.peek().false_color ?? pr;
 function mr() {
   let e = at.peek().false_color;
   e && (pr = e), Tt({ false_color: e ? null : pr });
@@ -1640,13 +1654,13 @@ function ro(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
   Tt({ ev: t });
 }
-function el() {
+function tl() {
   let e = ne();
   if (!e) return;
   let t = to(kt);
-  Te("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+  Pe("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var tl = () => oo({ do: "look", what: "store", name: `Look ${to(xt) + 1}` });
+var nl = () => oo({ do: "look", what: "store", name: `Look ${to(xt) + 1}` });
 async function hr(e) {
   let t = !1;
   try {
@@ -1657,28 +1671,28 @@ async function hr(e) {
   }
   ae(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Nt = /* @__PURE__ */ new Map(), no = null;
-function nl(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), no && oe(no), no = null;
+var Ft = /* @__PURE__ */ new Map(), no = null;
+function ol(e) {
+  Ft = new Map(e.map((t) => [t.id, t])), no && oe(no), no = null;
 }
-var ol = () => [...Nt.values()], aa = (e) => Nt.get(e), vr = (e) => Nt.get(e)?.why?.() ?? null;
+var rl = () => [...Ft.values()], sa = (e) => Ft.get(e), vr = (e) => Ft.get(e)?.why?.() ?? null;
 function oe(e) {
-  let t = Nt.get(e);
-  Nt.size || (no = e);
+  let t = Ft.get(e);
+  Ft.size || (no = e);
   let n = t?.why?.();
   n ? ae(n, "warn") : t?.run();
 }
 
 // src/before.ts
-var mn = g(null), de = g(null), rl = g(0.5);
-function il() {
-  let e = W.peek(), t = Xi();
+var mn = g(null), me = g(null), il = g(0.5);
+function al() {
+  let e = W.peek(), t = Yi();
   e && t && (mn.value = { picture: t, camera: e.camera });
 }
 Di(() => {
-  de.peek() !== "wipe" && il();
+  me.peek() !== "wipe" && al();
 });
-function sa() {
+function la() {
   let e = mn.peek(), t = W.peek();
   if (!e || !t) ae("Nothing has been changed yet.");
   else if (!fn(e.camera, t.camera)) ae("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1686,41 +1700,41 @@ function sa() {
   return !1;
 }
 function hn(e) {
-  e ? de.peek() === null && sa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? me.peek() === null && la() && (me.value = "held") : me.peek() === "held" && (me.value = null);
 }
-function al() {
-  de.value = de.peek() === "wipe" ? null : sa() ? "wipe" : null;
+function sl() {
+  me.value = me.peek() === "wipe" ? null : la() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var sl = /* @__PURE__ */ Symbol.for("pv"), ll = 0;
+var ll = /* @__PURE__ */ Symbol.for("pv"), ul = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
-  var a, s, d = t;
-  if ("ref" in d && typeof e != "function") for (s in d = {}, t) s == "ref" ? a = t[s] : d[s] = t[s];
-  var c = { type: e, props: d, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: sl, __v: --ll, __i: -1, __u: 0 };
-  return (r || i) && (c.__source = r, c.__self = i), M.vnode && M.vnode(c), c;
+  var a, s, p = t;
+  if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: ll, __v: --ul, __i: -1, __u: 0 };
+  return (r || i) && (c.__source = r, c.__self = i), C.vnode && C.vnode(c), c;
 }
 
 // src/load.tsx
-var ua = g(null), la = !1, gr = (e) => ua.value?.[e];
+var ca = g(null), ua = !1, gr = (e) => ca.value?.[e];
 function ee({ part: e }) {
   let t = gr(e);
   return t ? l(t, {}) : null;
 }
-function ca() {
-  C(() => {
-    if (la || !(W.value ?? E.value)) return;
-    la = !0;
+function fa() {
+  E(() => {
+    if (ua || !(W.value ?? T.value)) return;
+    ua = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ua.value = t);
+      import(e).then((t) => ca.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var io = 0.3048, fa = {
+var io = 0.3048, pa = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1737,74 +1751,74 @@ var io = 0.3048, fa = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, ul = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+}, cl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
 function br(e) {
-  let t = ul.exec(e);
+  let t = cl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function pa(e, t, n) {
+function da(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let d = br(o);
-    if (!d) return null;
-    let c = /^[a-zµ°%'"×]+/i.exec(d.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
+    let p = br(o);
+    if (!p) return null;
+    let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
     if (u === void 0) return null;
-    r += a * d.value * u, o = d.rest.slice(c.length).trim(), i = !1;
+    r += a * p.value * u, o = p.rest.slice(c.length).trim(), i = !1;
   }
   return i ? null : r;
 }
-function da(e, t, n) {
-  let o = fa[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (w) => ({
-    apply: (x) => Math.min(o.high, Math.max(o.low, w(x)))
+function ma(e, t, n) {
+  let o = pa[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+    apply: (S) => Math.min(o.high, Math.max(o.low, y(S)))
   });
   if (!r) return { why: `Type ${o.say}` };
   let s = r.toLowerCase();
   if (t === "level" && s === "full") return a(() => 1);
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
-  let d = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
-  if (d && t !== "ev") {
-    let w = br(d[1].trim());
-    return !w || w.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((x) => x * 2 ** w.value);
+  let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
+  if (p && t !== "ev") {
+    let y = br(p[1].trim());
+    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((S) => S * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let w = br(c[2]);
-    if (!w) return i;
-    let x = w.rest === "%" ? 0.01 : w.rest === "" ? 1 : NaN, _ = w.value * x;
-    return !Number.isFinite(_) || _ === 0 && /[/÷]/.test(c[1]) ? i : a((b) => /[/÷]/.test(c[1]) ? b / _ : b * _);
+    let y = br(c[2]);
+    if (!y) return i;
+    let S = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, _ = y.value * S;
+    return !Number.isFinite(_) || _ === 0 && /[/÷]/.test(c[1]) ? i : a((w) => /[/÷]/.test(c[1]) ? w / _ : w * _);
   }
-  let p = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = p ? p[2] : r, f = pa(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = da(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let w = pa(m, { ...fa.flux }, NaN);
-    f = w === null || Number.isNaN(w) ? null : w / n;
+    let y = da(m, { ...pa.flux }, NaN);
+    f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
-  let y = f;
-  return p ? a((w) => p[1] === "-" ? w - y : w + y) : y < o.low || y > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => y);
+  let b = f;
+  return d ? a((y) => d[1] === "-" ? y - b : y + b) : b < o.low || b > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => b);
 }
 function B(e, t = 0) {
   if (!Number.isFinite(e)) return "–";
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Qe(e) {
+function Ye(e) {
   let t = Math.abs(e);
   return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
-function Ie(e) {
+function Ae(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
 function vn(e, t) {
   switch (t) {
     case "level":
-      return `${Ie(e)} %`;
+      return `${Ae(e)} %`;
     case "flux":
-      return `${Qe(e)} lm`;
+      return `${Ye(e)} lm`;
     case "kelvin":
       return `${B(e)} K`;
     case "angle":
@@ -1812,7 +1826,7 @@ function vn(e, t) {
     case "length":
       return `${B(e, 2)} m`;
     case "lux":
-      return `${Qe(e)} lx`;
+      return `${Ye(e)} lx`;
     case "seconds":
       return `${B(e, 1)} s`;
     case "ev":
@@ -1825,41 +1839,41 @@ function vn(e, t) {
 }
 function dt(e, t = !0) {
   let n = At.value === "fc", o = n ? e / 10.7639 : e;
-  return Qe(o) + (t ? n ? " fc" : " lx" : "");
+  return Ye(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
 function gn(e) {
   let t = ot(null), n = ot(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
-  Se(() => {
+  Me(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let p = da(t.value, e.quantity, e.flux);
-    if ("why" in p) {
-      n.value = p.why;
+    let d = ma(t.value, e.quantity, e.flux);
+    if ("why" in d) {
+      n.value = d.why;
       return;
     }
-    t.value = null, n.value = null, e.set(p.apply);
-  }, s = (p) => {
-    if (p.key === "Enter")
-      p.preventDefault(), a(), t.value === null && o.current?.select();
-    else if (p.key === "Escape")
-      p.stopPropagation(), t.value === null && o.current?.blur(), t.value = null, n.value = null;
-    else if ((p.key === "ArrowUp" || p.key === "ArrowDown") && e.step && t.value === null) {
-      p.preventDefault();
-      let m = (p.key === "ArrowUp" ? 1 : -1) * e.step * (p.shiftKey ? 10 : p.ctrlKey ? 0.1 : 1);
+    t.value = null, n.value = null, e.set(d.apply);
+  }, s = (d) => {
+    if (d.key === "Enter")
+      d.preventDefault(), a(), t.value === null && o.current?.select();
+    else if (d.key === "Escape")
+      d.stopPropagation(), t.value === null && o.current?.blur(), t.value = null, n.value = null;
+    else if ((d.key === "ArrowUp" || d.key === "ArrowDown") && e.step && t.value === null) {
+      d.preventDefault();
+      let m = (d.key === "ArrowUp" ? 1 : -1) * e.step * (d.shiftKey ? 10 : d.ctrlKey ? 0.1 : 1);
       e.set((f) => f + m);
     }
-  }, d = (p) => {
-    !e.scrub || e.disabled || p.button !== 0 || document.activeElement === o.current || (r.current = { x: p.clientX, last: p.clientX, moved: !1 }, o.current?.setPointerCapture(p.pointerId), p.preventDefault());
-  }, c = (p) => {
+  }, p = (d) => {
+    !e.scrub || e.disabled || d.button !== 0 || document.activeElement === o.current || (r.current = { x: d.clientX, last: d.clientX, moved: !1 }, o.current?.setPointerCapture(d.pointerId), d.preventDefault());
+  }, c = (d) => {
     let m = r.current;
-    !m || !e.scrub || !m.moved && Math.abs(p.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((p.clientX - m.last) * (e.step ?? 1) * (p.shiftKey ? 0.1 : p.altKey ? 10 : 1)), m.last = p.clientX);
-  }, u = (p) => {
+    !m || !e.scrub || !m.moved && Math.abs(d.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((d.clientX - m.last) * (e.step ?? 1) * (d.shiftKey ? 0.1 : d.altKey ? 10 : 1)), m.last = d.clientX);
+  }, u = (d) => {
     let m = r.current;
-    r.current = null, m && (m.moved ? p.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
+    r.current = null, m && (m.moved ? d.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
   };
   return l("span", { class: `field ${n.value ? "wrong" : ""} ${e.scrub ? "scrubs" : ""}`, children: [
     l(
@@ -1877,15 +1891,15 @@ function gn(e) {
         "aria-label": e.label,
         "aria-invalid": n.value ? !0 : void 0,
         "aria-errormessage": n.value ? `${e.id ?? e.label}-why`.replace(/\s/g, "-") : void 0,
-        onInput: (p) => {
-          t.value = p.currentTarget.value, n.value = null;
+        onInput: (d) => {
+          t.value = d.currentTarget.value, n.value = null;
         },
-        onFocus: (p) => t.value === null && p.currentTarget.select(),
+        onFocus: (d) => t.value === null && d.currentTarget.select(),
         onBlur: () => {
           a(), n.value && (t.value = null, setTimeout(() => n.value = null, 4e3));
         },
         onKeyDown: s,
-        onPointerDown: d,
+        onPointerDown: p,
         onPointerMove: c,
         onPointerUp: u,
         onPointerCancel: u
@@ -1903,8 +1917,8 @@ function G({ name: e }) {
 // src/menu.tsx
 function qt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
-    let s = document.getElementById(e), d = a.getBoundingClientRect();
-    s?.style.setProperty("left", `${Math.max(8, Math.min(d.left, innerWidth - 296))}px`), s?.style.setProperty("top", `${d.bottom + 4}px`);
+    let s = document.getElementById(e), p = a.getBoundingClientRect();
+    s?.style.setProperty("left", `${Math.max(8, Math.min(p.left, innerWidth - 296))}px`), s?.style.setProperty("top", `${p.bottom + 4}px`);
   };
   return l(X, { children: [
     l("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
@@ -1912,7 +1926,7 @@ function qt({ id: e, label: t, title: n, children: o }) {
   ] });
 }
 function _r({ id: e, label: t }) {
-  let n = vr(e), o = aa(e);
+  let n = vr(e), o = sa(e);
   return l(
     "button",
     {
@@ -1931,19 +1945,19 @@ function _r({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var ma = {
+var ha = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function ha() {
+function va() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
     l("h1", { title: o.file || J.value?.file, children: [
       J.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ma[o.state], title: `${ma[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ha[o.state], title: `${ha[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -1963,7 +1977,7 @@ function ha() {
       l(G, { name: "down" })
     ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
     l("button", { "aria-pressed": e.false_color !== null, onClick: mr, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("button", { "aria-pressed": me.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => ro(1), children: l(G, { name: "minus" }) }),
       l("label", { children: [
@@ -1971,30 +1985,30 @@ function ha() {
         l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => Tt({ ev: i(e.ev ?? 0) }) })
       ] }),
       l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => ro(-1), children: l(G, { name: "plus" }) }),
-      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => D({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => K({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": $e.value,
+        "aria-pressed": Le.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => $e.value = !$e.value,
-        children: l(G, { name: $e.value ? "lock" : "unlock" })
+        onClick: () => Le.value = !Le.value,
+        children: l(G, { name: Le.value ? "lock" : "unlock" })
       }
     ),
-    fe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
+    pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
     l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(G, { name: "help" }) }),
     l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(G, { name: "search" }) }),
     l(
       "button",
       {
         class: "icon narrow",
-        "aria-label": Ve.value === "inspector" ? "Lamps" : "Inspector",
-        title: Ve.value === "inspector" ? "Lamps" : "Inspector",
-        onClick: () => Ve.value = Ve.value === "inspector" ? "lamps" : "inspector",
-        children: l(G, { name: Ve.value === "inspector" ? "lamps" : "sliders" })
+        "aria-label": Ie.value === "inspector" ? "Lamps" : "Inspector",
+        title: Ie.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Ie.value = Ie.value === "inspector" ? "lamps" : "inspector",
+        children: l(G, { name: Ie.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
@@ -2002,40 +2016,40 @@ function ha() {
 
 // src/highlight.ts
 function ao(e) {
-  we.value = e, D({ do: "solo", lamps: e });
+  we.value = e, K({ do: "solo", lamps: e });
 }
 function yr(e) {
   let t = we.peek(), n = e.every((o) => t.includes(o));
   ao(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var cl = () => yr(le.peek()), wr = () => ao([]), bn = null;
+var fl = () => yr(le.peek()), wr = () => ao([]), bn = null;
 function so(e) {
   e && bn === null && le.peek().length ? (bn = we.peek(), ao(le.peek())) : !e && bn !== null && (ao(bn), bn = null);
 }
 
 // src/lights.ts
-var Je = g(null), kr = () => {
-}, ga = () => {
+var Qe = g(null), kr = () => {
+}, ba = () => {
 };
 function lo(e, t, n) {
-  uo(), Je.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, va(n);
+  uo(), Qe.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ga(n);
   let o = !0, r = 0;
-  ga = C(() => {
-    for (let [, i] of k.all()) Re(i);
+  ba = E(() => {
+    for (let [, i] of k.all()) He(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = ie(() => Je.value);
-      i && va(i.hit);
+      let i = ie(() => Qe.value);
+      i && ga(i.hit);
     }, 250);
   });
 }
-function va(e) {
+function ga(e) {
   kr(), kr = xe("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Je.peek();
-    n && (Je.value = {
+    let n = Qe.peek();
+    n && (Qe.value = {
       ...n,
       lux: t.lux ?? n.lux,
       lamps: t.lamps ?? n.lamps,
@@ -2044,19 +2058,19 @@ function va(e) {
   });
 }
 function uo() {
-  kr(), ga(), Je.value = null;
+  kr(), ba(), Qe.value = null;
 }
 
 // src/keys.ts
-var Sa = g("W A S D"), xr = {
+var Ma = g("W A S D"), xr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, fl = 1.8, jt = /* @__PURE__ */ new Set(), co = !1, fo = 1, Sr = !1, Mr = 0;
-function Ma(e) {
+}, pl = 1.8, jt = /* @__PURE__ */ new Set(), co = !1, fo = 1, Sr = !1, Mr = 0;
+function Ca(e) {
   let t = Math.min(0.1, Math.max(0, (e - Mr) / 1e3));
   if (Mr = e, !jt.size) {
     Sr = !1;
@@ -2064,21 +2078,21 @@ function Ma(e) {
   }
   let [n, o, r] = [0, 0, 0];
   for (let s of jt) {
-    let [d, c, u] = xr[s];
-    n += d, o += c, r += u;
+    let [p, c, u] = xr[s];
+    n += p, o += c, r += u;
   }
-  let i = Math.max(1, De(...Ht()) / 12), a = fl * t * fo * Math.min(i, 6);
-  (n || o || r) && oa(n * a, o * a, r * a), requestAnimationFrame(Ma);
+  let i = Math.max(1, De(...Ht()) / 12), a = pl * t * fo * Math.min(i, 6);
+  (n || o || r) && ra(n * a, o * a, r * a), requestAnimationFrame(Ca);
 }
 function _n(e) {
-  jt.add(e), !Sr && (Sr = !0, Mr = performance.now(), requestAnimationFrame(Ma));
+  jt.add(e), !Sr && (Sr = !0, Mr = performance.now(), requestAnimationFrame(Ca));
 }
-var pl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function ba() {
+var dl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function _a() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var dl = {
+var ml = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2098,14 +2112,14 @@ var dl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, _a = {
+}, ya = {
   b: "quantity",
   o: "park",
   i: "unsolo",
   l: "from-lamp",
   g: "grid",
   t: "aim-here"
-}, ya = { Comma: "darker", Period: "brighter", Slash: "expose" }, wa = {
+}, wa = { Comma: "darker", Period: "brighter", Slash: "expose" }, ka = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2114,56 +2128,56 @@ var dl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function ml(e) {
+function hl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function hl() {
-  z.peek() ? z.value = null : Je.peek() ? uo() : de.peek() ? de.value = null : E.peek() ? Yn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
-}
-function ka(e) {
-  let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? eo(Ot(), -t * 0.05, n * 0.05) : Zn(-t * 0.06, n * 0.06), !0);
+function vl() {
+  z.peek() ? z.value = null : Qe.peek() ? uo() : me.peek() ? me.value = null : T.peek() ? Yn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function xa(e) {
+  let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
+  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Nt(-t * 24, n * 24, 3) : e.shiftKey ? eo(Dt(), -t * 0.05, n * 0.05) : Zn(-t * 0.06, n * 0.06), !0);
+}
+function Sa(e) {
   let t = ne(), n = ft();
   !t || !n || (t.height ? Q(Bn(t, n, n.width / 2, n.height / 2, e)) : Q(Wn(t, t.target, e, 0.3, !0)));
 }
-function vl(e) {
+function gl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return hl();
-  if (pl(e.target)) {
-    t && e.key.toLowerCase() === "k" && Oe(e, "palette");
+  if (e.key === "Escape") return vl();
+  if (dl(e.target)) {
+    t && e.key.toLowerCase() === "k" && Ne(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (ba() && ka(e)) return e.preventDefault();
-    let i = ml(e);
-    i && Oe(e, i);
+    if (_a() && xa(e)) return e.preventDefault();
+    let i = hl(e);
+    i && Ne(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return Oe(e, "back");
-    if (e.key === "ArrowRight") return Oe(e, "forth");
-    if (i === "0") return Oe(e, "store-view");
+    if (e.key === "ArrowLeft") return Ne(e, "back");
+    if (e.key === "ArrowRight") return Ne(e, "forth");
+    if (i === "0") return Ne(e, "store-view");
     if (i) {
       e.preventDefault();
       let a = kt.all()[Number(i) - 1];
       a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && Oe(e, "unhide"), !(e.code in xr)) return;
+    if (e.code === "KeyH" && Ne(e, "unhide"), !(e.code in xr)) return;
   }
-  let n = ba();
-  if (n && ka(e)) return e.preventDefault();
+  let n = _a();
+  if (n && xa(e)) return e.preventDefault();
   if (n && e.code in xr)
     return fo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, _n(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return xa(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return xa(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return Sa(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Sa(1 / 0.85);
   if (!Zo.peek()) return;
-  if (e.shiftKey && wa[e.code]) return Oe(e, wa[e.code]);
+  if (e.shiftKey && ka[e.code]) return Ne(e, ka[e.code]);
   if (co && /^\d$/.test(e.key)) {
     e.preventDefault(), co = !1;
     let i = xt.ids.peek()[Number(e.key) - 1];
@@ -2175,33 +2189,33 @@ function vl(e) {
     e.preventDefault(), dr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && ya[e.code]) return Oe(e, ya[e.code]);
+  if (!e.shiftKey && e.key !== "?" && wa[e.code]) return Ne(e, wa[e.code]);
   if (e.key === "\\") return void (e.repeat || hn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return gl();
-  let r = e.shiftKey && _a[o] ? _a[o] : dl[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Oe(e, r);
+  if (o === "p" && e.shiftKey) return bl();
+  let r = e.shiftKey && ya[o] ? ya[o] : ml[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Ne(e, r);
 }
-function gl() {
-  let [e, t] = be.peek(), n = Dt(e / 2, t / 2);
+function bl() {
+  let [e, t] = _e.peek(), n = Ot(e / 2, t / 2);
   n && xe("point", n, (o) => o.hit && lo(e / 2, t / 2, o));
 }
-function Oe(e, t) {
+function Ne(e, t) {
   e.preventDefault(), oe(t);
 }
-function bl(e) {
+function _l(e) {
   jt.delete(e.code), e.key === "\\" && hn(!1), e.key.toLowerCase() === "l" && so(!1), e.key === "Shift" && (fo = 1);
 }
-function Ca() {
-  addEventListener("keydown", vl), addEventListener("keyup", bl), addEventListener("blur", () => {
+function Ea() {
+  addEventListener("keydown", gl), addEventListener("keyup", _l), addEventListener("blur", () => {
     jt.clear(), so(!1), hn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Sa.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Ma.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function _l(e, t) {
+function yl(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   fo = Math.min(1, Math.hypot(e, t)), e > 0.2 && _n("KeyW"), e < -0.2 && _n("KeyS"), t < -0.2 && _n("KeyA"), t > 0.2 && _n("KeyD");
 }
@@ -2210,12 +2224,12 @@ function _l(e, t) {
 var Cr = (e) => Math.min(1, Xn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Er = (e) => {
   let t = Xn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, yl = (e) => (e.kind === "lamp" ? k.get(e.id) : K.get(e.id))?.level ?? 0, po = (e) => (e.kind === "lamp" ? k.get(e.id) : K.get(e.id))?.name ?? "";
+}, wl = (e) => (e.kind === "lamp" ? k.get(e.id) : O.get(e.id))?.level ?? 0, po = (e) => (e.kind === "lamp" ? k.get(e.id) : O.get(e.id))?.name ?? "";
 function Tr(e) {
   let t = le.peek();
-  return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
+  return e.kind === "lamp" && T.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ea(e, t, n) {
+function Ta(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2227,7 +2241,7 @@ function Ea(e, t, n) {
 var yn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = yl(t), this.from = t.kind === "lamp" ? new Map(Tr(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new We(`${po(t)} level`);
+    this.was = this.now = wl(t), this.from = t.kind === "lamp" ? new Map(Tr(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ue(`${po(t)} level`);
   }
   strip;
   gesture;
@@ -2235,11 +2249,11 @@ var yn = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ea(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ta(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? Qn([...this.from.keys()]) : po(this.strip);
-    this.gesture.end(`${t} ${Ie(this.was)} → ${Ie(this.now)} %`);
+    this.gesture.end(`${t} ${Ae(this.was)} → ${Ae(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
@@ -2247,53 +2261,53 @@ var yn = class {
 };
 function mo(e, t) {
   let n = new Map(Tr(e).map((o) => [o, k.get(o)?.level ?? 0]));
-  Uo(`level ${e.kind} ${e.id}`, `${po(e)} level`, Ea(e, t, n));
+  Uo(`level ${e.kind} ${e.id}`, `${po(e)} level`, Ta(e, t, n));
 }
 function Pr(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = k.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Ie(k.get(e[0])?.level ?? 0)} → ${Ie(n[e[0]].level)} %` : " level";
-  Te(`${Qn(e)}${o}`, { lamps: n });
+  })), o = e.length === 1 ? ` ${Ae(k.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
+  Pe(`${Qn(e)}${o}`, { lamps: n });
 }
 function $r(e, t) {
-  let n = t(K.get(e)?.level ?? 0);
-  Te(`${K.get(e)?.name ?? "Group"} ${Ie(n)} %`, { groups: { [e]: { level: n } } });
+  let n = t(O.get(e)?.level ?? 0);
+  Pe(`${O.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
 }
 function Lr(e, t) {
   let n = `${po(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Te(n, { groups: { [e.id]: { on: t } } }) : Te(n, { lamps: Object.fromEntries(Tr(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? Pe(n, { groups: { [e.id]: { on: t } } }) : Pe(n, { lamps: Object.fromEntries(Tr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var wl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, kl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, xl = (e) => Math.round(255 * wl(Math.max(0, Math.min(1, e))));
+var kl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, xl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Sl = (e) => Math.round(255 * kl(Math.max(0, Math.min(1, e))));
 function Vr(e) {
   let t = Math.max(...e, 1e-6);
-  return Ta(e.map((n) => n / t));
+  return Pa(e.map((n) => n / t));
 }
-function Ta(e) {
-  return `#${e.map((t) => xl(t).toString(16).padStart(2, "0")).join("")}`;
+function Pa(e) {
+  return `#${e.map((t) => Sl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Sl(e) {
-  let t = (n) => kl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Ml(e) {
+  let t = (n) => xl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Ml = (e) => 1e6 / e;
+var Cl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Pa = -1e9;
-addEventListener("scroll", () => Pa = performance.now(), { capture: !0, passive: !0 });
+var $a = -1e9;
+addEventListener("scroll", () => $a = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
 function Ir(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
-    let u = c.currentTarget.getBoundingClientRect(), p = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
-    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(p) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(p));
+    let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
+    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
   }, i = (c) => {
     let u = n.current;
     if (!u || u.id !== c.pointerId) return;
-    let p = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (p.height - 16) : (c.clientX - u.x) / (p.width - 12);
+    let d = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (d.height - 16) : (c.clientX - u.x) / (d.width - 12);
     u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(Ut(u.at));
   }, a = (c) => {
     n.current?.id === c.pointerId && (n.current = null, c.type === "pointercancel" ? e.cancel?.() : e.end?.());
@@ -2302,10 +2316,10 @@ function Ir(e) {
       n.current = null, e.cancel?.(), c.stopPropagation();
       return;
     }
-    let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], p = null;
-    u && (p = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (p = 0), c.key === "End" && (p = 1), !(p === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(p));
-  }, d = (c) => {
-    if (performance.now() - Pa < 400 || c.ctrlKey) return;
+    let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
+    u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
+  }, p = (c) => {
+    if (performance.now() - $a < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2332,7 +2346,7 @@ function Ir(e) {
       onMouseDown: (c) => c.preventDefault(),
       onTouchStart: (c) => c.cancelable && c.preventDefault(),
       onKeyDown: s,
-      onWheel: d,
+      onWheel: p,
       onDblClick: () => e.reset?.(),
       onInput: (c) => {
         n.current ? c.currentTarget.value = String(e.value) : e.on(Number(c.currentTarget.value));
@@ -2342,15 +2356,15 @@ function Ir(e) {
 }
 
 // src/faderrow.tsx
-function $a(e) {
+function La(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
 var Ar = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function La({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? k.get(e.id) : void 0, a = e.kind === "group" ? K.get(e.id) : void 0, s = i ?? a;
+function Va({ row: e, index: t, count: n }) {
+  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? k.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let d = a?.lamps ?? [e.id], c = i ? i.flux : d.reduce((_, b) => _ + (k.get(b)?.flux ?? 0) * (k.get(b)?.level ?? 0), 0), u = i ? i.flux * Re(i) : d.reduce((_, b) => _ + (k.get(b)?.flux ?? 0) * Re(k.get(b)), 0), p = E.value?.kind === e.kind && E.value.ids.includes(e.id), m = d.length > 0 && d.every((_) => we.value.includes(_)), f = we.value.length > 0 && !d.some((_) => we.value.includes(_)), y = pe.value?.kind === e.kind && pe.value.id === e.id, w = `${p ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${y ? "under" : ""}`, x = {
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, w) => _ + (k.get(w)?.flux ?? 0) * (k.get(w)?.level ?? 0), 0), u = i ? i.flux * He(i) : p.reduce((_, w) => _ + (k.get(w)?.flux ?? 0) * He(k.get(w)), 0), d = T.value?.kind === e.kind && T.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => we.value.includes(_)), f = we.value.length > 0 && !p.some((_) => we.value.includes(_)), b = de.value?.kind === e.kind && de.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, S = {
     begin: () => o.current = new yn(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2362,20 +2376,20 @@ function La({ row: e, index: t, count: n }) {
   return l(
     "div",
     {
-      class: `fader-row depth-${e.depth} ${e.kind} ${w}`,
+      class: `fader-row depth-${e.depth} ${e.kind} ${y}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => pe.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => pe.value = null,
+      onPointerEnter: () => de.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => de.value = null,
       children: [
         l("button", { class: "icon power", "aria-pressed": s.on, "aria-label": `${s.name} on`, title: s.on ? "On (O)" : "Off (O)", onClick: () => Lr(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Va(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": p, title: i ? `${i.name}: ${Ar(i)}` : s.name, onClick: (_) => Rr(_, e.kind, e.id), children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ia(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Ar(i)}` : s.name, onClick: (_) => Rr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
-            a && l("small", { children: d.length }),
+            a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
             i && !i.free && l("small", { class: "traced", title: Ar(i), children: [
               "↻",
@@ -2384,9 +2398,9 @@ function La({ row: e, index: t, count: n }) {
           ] }),
           i && l("span", { class: "tint", children: [
             l("i", { class: "swatch", style: { background: Vr(i.swatch) } }),
-            $a(i)
+            La(i)
           ] }),
-          l("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => yr(d), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => yr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
@@ -2395,14 +2409,14 @@ function La({ row: e, index: t, count: n }) {
               label: `${s.name} level`,
               class: "level",
               value: Cr(s.level),
-              text: `${Ie(s.level)} %, ${Qe(u)} lumen`,
+              text: `${Ae(s.level)} %, ${Ye(u)} lumen`,
               notch: 0.01,
               on: (_) => {
-                let b = Er(_);
-                o.current ? o.current.to(b) : mo(r, b);
+                let w = Er(_);
+                o.current ? o.current.to(w) : mo(r, w);
               },
               reset: () => mo(r, 1),
-              ...x
+              ...S
             }
           ),
           l(
@@ -2413,7 +2427,7 @@ function La({ row: e, index: t, count: n }) {
               value: s.level,
               flux: c,
               step: 0.01,
-              set: (_) => i ? Pr(p && le.peek().length > 1 ? le.peek() : [e.id], _) : $r(e.id, _)
+              set: (_) => i ? Pr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : $r(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2424,68 +2438,65 @@ function La({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Ia = 4;
+var Aa = 4;
 function Hr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = te(null), s = ot(0), d = ot(600);
-  Se(() => {
-    let p = a.current, m = new ResizeObserver(() => d.value = p.clientHeight);
-    return m.observe(p), () => m.disconnect();
-  }, []), Se(() => {
-    let p = a.current;
-    if (!p || r === void 0 || r < 0) return;
+  let a = te(null), s = ot(0), p = ot(600);
+  Me(() => {
+    let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
+    return m.observe(d), () => m.disconnect();
+  }, []), Me(() => {
+    let d = a.current;
+    if (!d || r === void 0 || r < 0) return;
     let m = r * t;
-    (m < p.scrollTop || m + t > p.scrollTop + p.clientHeight) && (p.scrollTop = Math.max(0, m - p.clientHeight / 2));
+    (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Ia), u = Math.min(e, Math.ceil((s.value + d.value) / t) + Ia);
-  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (p) => s.value = p.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (p, m) => n(c + m)) }) }) });
+  let c = Math.max(0, Math.floor(s.value / t) - Aa), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Aa);
+  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var ho = g(""), mt = g(/* @__PURE__ */ new Set()), vo = g("group"), Ra = q(() => {
-  let e = ho.value.trim().toLowerCase(), t = (r) => {
-    let i = k.get(r);
-    return i ? !e || `${i.name} ${i.kind} ${K.get(i.group)?.name ?? ""}`.toLowerCase().includes(e) : !1;
-  };
+var ho = g(""), mt = g(/* @__PURE__ */ new Set()), vo = g("group"), Ha = q(() => {
+  let e = ho.value.trim().toLowerCase(), t = k.listed(), n = O.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (vo.value !== "group" && It.value === "sheet") {
-    let r = vo.value, i = k.all().filter(([a]) => t(a));
-    return i.sort(([, a], [, s]) => r === "name" ? a.name.localeCompare(s.name, "en", { numeric: !0 }) : s[r] - a[r]), i.map(([a]) => ({ kind: "lamp", id: a, depth: 0 }));
+    let s = vo.value, p = [...r];
+    return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
   }
-  let n = [], o = /* @__PURE__ */ new Set();
-  for (let [r, i] of K.all()) {
-    i.lamps.forEach((s) => o.add(s));
-    let a = i.lamps.filter(t);
-    if (a.length) {
-      if (i.lamps.length === 1) {
-        n.push({ kind: "lamp", id: a[0], depth: 0 });
+  let i = [], a = /* @__PURE__ */ new Set();
+  for (let [s, p] of n) {
+    p.lamps.forEach((u) => a.add(u));
+    let c = p.lamps.filter((u) => r.has(u));
+    if (c.length) {
+      if (p.lamps.length === 1) {
+        i.push({ kind: "lamp", id: c[0], depth: 0 });
         continue;
       }
-      n.push({ kind: "group", id: r, depth: 0 }), (!mt.value.has(r) || e) && a.forEach((s) => n.push({ kind: "lamp", id: s, depth: 1 }));
+      i.push({ kind: "group", id: s, depth: 0 }), (!mt.value.has(s) || e) && c.forEach((u) => i.push({ kind: "lamp", id: u, depth: 1 }));
     }
   }
-  for (let r of k.ids.value) !o.has(r) && t(r) && n.push({ kind: "lamp", id: r, depth: 0 });
-  return n;
-}), Aa = !1;
-K.ids.subscribe((e) => {
-  Aa || !e.length || (Aa = !0, k.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (K.get(t)?.lamps.length ?? 0) > 1))));
+  for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
+  return i;
+}), Ra = !1;
+O.ids.subscribe((e) => {
+  Ra || !e.length || (Ra = !0, k.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Va(e) {
+function Ia(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
 function Rr(e, t, n) {
-  e.shiftKey ? Qi(t, Ra.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Xe(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? Ji(t, Ha.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Cl(e) {
+function El(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var El = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Ha() {
-  let e = Ra.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = It.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Cl, children: [
+var Tl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Ka() {
+  let e = Ha.value, t = T.value?.ids[T.value.ids.length - 1], n = e.findIndex((i) => i.kind === T.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = It.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: El, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2518,17 +2529,12 @@ function Ha() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        El.map((i) => l(_r, { id: i }, i)),
+        Tl.map((i) => l(_r, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
         ] })
       ] })
-    ] }),
-    le.value.length > 1 && l("p", { class: "several", children: [
-      le.value.length,
-      " selected; a fader moves them in proportion",
-      l("button", { onClick: () => oe("none"), children: "None" })
     ] }),
     r && l(ee, { part: "SheetHead" }),
     l(
@@ -2539,18 +2545,23 @@ function Ha() {
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? gr("SheetRow") : La;
+          let a = e[i], s = r ? gr("SheetRow") : Va;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
     ),
+    le.value.length > 1 && l("p", { class: "several", children: [
+      le.value.length,
+      " selected; a fader moves them in proportion",
+      l("button", { onClick: () => oe("none"), children: "None" })
+    ] }),
     !e.length && k.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var wn = g(null), Ze = g([]), kn = g(null), Dr = g(null), Kr = q(() => Ce.value?.stage ?? "loading"), Tl = q(() => {
-  let e = Ce.value?.fps ?? 0;
+var wn = g(null), Je = g([]), kn = g(null), Or = g(null), Kr = q(() => Ee.value?.stage ?? "loading"), Pl = q(() => {
+  let e = Ee.value?.fps ?? 0;
   return Kr.value === "moving" && e > 6 && Vt.value < 0.4 * e && Vt.value < 5;
 }), Wt = q(() => {
   switch (U.value) {
@@ -2561,14 +2572,14 @@ var wn = g(null), Ze = g([]), kn = g(null), Dr = g(null), Kr = q(() => Ce.value?
     default:
       return U.value;
   }
-  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !j.value.you ? "control-lost" : fe.value === "watch" || !j.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Ci.value ? "all-off" : Tl.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
+  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !j.value.you ? "control-lost" : pe.value === "watch" || !j.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Ei.value ? "all-off" : Pl.value ? "slow" : Kr.value === "loading" ? "first" : Kr.value;
 });
 ke("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      wn.value = null, Ze.value = e.lost ?? [];
+      wn.value = null, Je.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      ae(`The scene was read again: ${t} edits kept${Ze.value.length ? `, ${Ze.value.length} no longer find what they changed` : ""}.`);
+      ae(`The scene was read again: ${t} edits kept${Je.value.length ? `, ${Je.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
@@ -2578,28 +2589,28 @@ ke("event", (e) => {
       kn.value = e.by ?? j.peek().name ?? "somebody else";
       break;
     case "loading":
-      Dr.value = e;
+      Or.value = e;
       break;
   }
 });
 ke("refused", (e) => ae(e.why ?? "That could not be done.", "warn"));
-C(() => {
+E(() => {
   j.value.you && (kn.value = null);
 });
 
 // src/probe.ts
 var go = g(null);
 function bo(e, t, n) {
-  let o = Dt(e, t);
+  let o = Ot(e, t);
   if (!o) return n(null);
   xe("point", o, (r) => n(r.hit ? r : null));
 }
-function Ka(e) {
+function Oa(e) {
   if (!e) return "";
-  let t = [], n = k.get(e.lamp)?.name, o = he.get(e.thing)?.name, r = wt.get(e.material)?.name;
+  let t = [], n = k.get(e.lamp)?.name, o = ve.get(e.thing)?.name, r = wt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
     let i = e.luminance[0] * (At.value === "fc" ? 0.2919 : 1);
-    t.push(`${Qe(i)} ${At.value === "fc" ? "fL" : "cd/m²"}`);
+    t.push(`${Ye(i)} ${At.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
@@ -2615,8 +2626,8 @@ var Da = q(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Pl() {
-  let e = Ce.value;
+function $l() {
+  let e = Ee.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
@@ -2632,12 +2643,12 @@ function Pl() {
       return `finished${t}`;
   }
 }
-function Oa() {
-  let e = Ce.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Na() {
+  let e = Ee.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Pl()
+      $l()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
@@ -2658,7 +2669,7 @@ function Oa() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ka(go.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Oa(go.value) }),
     l("span", { class: "gap" }),
     l("span", { children: j.value.you ? "editing: you" : `editing: ${j.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2670,90 +2681,90 @@ function Oa() {
 }
 
 // src/pointer.ts
-var $l = 4, Fa = 35e-4, Ll = 0.15;
-function Vl(e, t, n) {
+var Ll = 4, Fa = 35e-4, Vl = 0.15;
+function Il(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Na(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, s = 0, d = 0, c = null, u = (h) => {
+function qa(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
-  }, p = (h, v, T) => {
-    let P = Dt(h, v);
-    P && xe("point", P, ($) => {
-      let I = $;
-      I.hit && T?.(I);
+  }, d = (h, v, P) => {
+    let $ = Ot(h, v);
+    $ && xe("point", $, (L) => {
+      let A = L;
+      A.hit && P?.(A);
     });
   }, m = (h) => {
     let v = ft();
-    return v ? Math.max(0.2, F(O(h, v.eye), v.forward)) : r;
+    return v ? Math.max(0.2, N(D(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, T] = u(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, I = P ? "look" : Vl(Gn.peek(), h.button, $);
-    I === "look" && ne()?.height && (I = "pan"), z.peek() === "marquee" && h.button === 0 && (I = "none"), n.set(h.pointerId, {
+    let [v, P] = u(h), $ = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = $ ? "look" : Il(Gn.peek(), h.button, L);
+    A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
-      y: T,
+      y: P,
       startX: v,
-      startY: T,
+      startY: P,
       moved: !1,
-      motion: I,
-      touch: P,
+      motion: A,
+      touch: $,
       shift: h.shiftKey,
-      ctrl: $.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (I === "orbit" || I === "pan" || I === "dolly") && (o = Ot(), r = m(o), p(v, T, (R) => {
+      ctrl: L.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (A === "orbit" || A === "pan" || A === "dolly") && (o = Dt(), r = m(o), d(v, P, (R) => {
       o = R.point, r = m(R.point);
-    })), clearTimeout(s), P && n.size === 1 && (s = window.setTimeout(() => {
+    })), clearTimeout(s), $ && n.size === 1 && (s = window.setTimeout(() => {
       let R = n.get(h.pointerId);
       R && !R.moved && n.size === 1 && (R.moved = !0, R.motion = "none", t.menu(R.x, R.y));
-    }, 550)), n.size === 2 && (c = y()), h.button === 1 && h.preventDefault();
+    }, 550)), n.size === 2 && (c = b()), h.button === 1 && h.preventDefault();
   }
-  function y() {
+  function b() {
     let [h, v] = [...n.values()];
     return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
   }
-  function w(h) {
-    let v = n.get(h.pointerId), [T, P] = u(h);
+  function y(h) {
+    let v = n.get(h.pointerId), [P, $] = u(h);
     if (!v) {
       if (h.pointerType === "touch" || h.buttons) return;
-      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(T, P), 150);
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(P, $), 150);
       return;
     }
-    let [$, I] = [T - v.x, P - v.y];
-    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < $l)) {
-      if (v.moved = !0, v.x = T, v.y = P, n.size === 2 && c) {
-        let R = y();
-        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && b(R.x, R.y, c.gap / R.gap, !1), c = R;
+    let [L, A] = [P - v.x, $ - v.y];
+    if (!(!v.moved && Math.hypot(P - v.startX, $ - v.startY) < Ll)) {
+      if (v.moved = !0, v.x = P, v.y = $, n.size === 2 && c) {
+        let R = b();
+        Nt(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && w(R.x, R.y, c.gap / R.gap, !1), c = R;
         return;
       }
       if (z.peek() === "marquee" && v.button === 0) {
-        t.marquee([v.startX, v.startY], [T, P], !1);
+        t.marquee([v.startX, v.startY], [P, $], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          Zn(R * $ * Fa, R * I * Fa);
+          Zn(R * L * Fa, R * A * Fa);
           break;
         }
         case "orbit":
-          eo(o, -$ * 6e-3, -I * 6e-3);
+          eo(o, -L * 6e-3, -A * 6e-3);
           break;
         case "pan":
-          Ft($, I, r);
+          Nt(L, A, r);
           break;
         case "dolly":
-          b(v.startX, v.startY, Math.exp(I * 6e-3), !1);
+          w(v.startX, v.startY, Math.exp(A * 6e-3), !1);
           break;
         case "none":
           break;
       }
     }
   }
-  function x(h) {
+  function S(h) {
     let v = n.get(h.pointerId);
     if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (c = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
@@ -2761,65 +2772,65 @@ function Na(e, t) {
         return;
       }
       if (v.touch) {
-        let T = performance.now(), P = T - d < 320;
-        if (d = T, P) return t.double();
-        if ($e.peek()) return;
+        let P = performance.now(), $ = P - p < 320;
+        if (p = P, $) return t.double();
+        if (Le.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
-        let T = v.shift ? "add" : v.ctrl ? "toggle" : "only";
-        t.click(v.x, v.y, T);
+        let P = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, P);
       }
     }
   }
   let _ = null;
-  function b(h, v, T, P) {
-    let $ = ne(), I = ft();
-    if (!$ || !I) return;
-    if ($.height) return Q(Bn($, I, h, v, T));
+  function w(h, v, P, $) {
+    let L = ne(), A = ft();
+    if (!L || !A) return;
+    if (L.height) return Q(Bn(L, A, h, v, P));
     let R = performance.now();
     if (!_ || R - _.time > 500 || Math.hypot(h - _.x, v - _.y) > 6) {
       _ = { x: h, y: v, time: R, point: null };
       let vt = _;
-      p(h, v, (jr) => {
+      d(h, v, (jr) => {
         vt.point = jr.point, r = m(jr.point);
       });
     }
     _.time = R;
-    let [Qa, Ja] = [h - I.width / 2, I.height / 2 - v], Za = Math.min(r, De($.eye, Ot()) + 1), _o = (vt) => $.eye[vt] + (I.forward[vt] + I.side[vt] * Qa * I.pixel + I.up[vt] * Ja * I.pixel) * Za, qr = _.point ?? [_o(0), _o(1), _o(2)];
-    Q(Wn($, qr, T, Ll, P)), P && De($.eye, qr) < 0.5 && (_ = null);
+    let [Ja, Za] = [h - A.width / 2, A.height / 2 - v], es = Math.min(r, De(L.eye, Dt()) + 1), _o = (vt) => L.eye[vt] + (A.forward[vt] + A.side[vt] * Ja * A.pixel + A.up[vt] * Za * A.pixel) * es, qr = _.point ?? [_o(0), _o(1), _o(2)];
+    Q(Wn(L, qr, P, Vl, $)), $ && De(L.eye, qr) < 0.5 && (_ = null);
   }
-  function A(h) {
+  function M(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [T, P] = [h.deltaX * v, h.deltaY * v], [$, I] = u(h);
-    if (Gn.peek() === "trackpad" && !h.ctrlKey) return Ft(-T, -P, r);
-    let R = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs(T) ? P : T);
-    b($, I, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [P, $] = [h.deltaX * v, h.deltaY * v], [L, A] = u(h);
+    if (Gn.peek() === "trackpad" && !h.ctrlKey) return Nt(-P, -$, r);
+    let R = (h.ctrlKey ? 6 : 1) * (Math.abs($) > Math.abs(P) ? $ : P);
+    w(L, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let L = (h) => h.preventDefault(), Fe = () => {
+  let V = (h) => h.preventDefault(), Se = () => {
     clearTimeout(a), t.unhover();
-  }, Ne = (h) => {
+  }, Ze = (h) => {
     !h.target.closest("[data-handle]") && z.peek() === null && t.double();
-  }, ye = (h) => {
+  }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
-  }, me = new ResizeObserver(() => {
+  }, he = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    be.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return me.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", w), e.addEventListener("pointerup", x), e.addEventListener("pointercancel", x), e.addEventListener("pointerleave", Fe), e.addEventListener("wheel", A, { passive: !1 }), e.addEventListener("contextmenu", L), e.addEventListener("dblclick", Ne), addEventListener("keydown", ye), addEventListener("keyup", ye), () => {
-    me.disconnect(), removeEventListener("keydown", ye), removeEventListener("keyup", ye);
+  return he.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", S), e.addEventListener("pointercancel", S), e.addEventListener("pointerleave", Se), e.addEventListener("wheel", M, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+    he.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
 // src/overlay.ts
-var Il = "http://www.w3.org/2000/svg";
-function _e(e, t = {}, n) {
-  let o = document.createElementNS(Il, e);
+var Al = "http://www.w3.org/2000/svg";
+function ye(e, t = {}, n) {
+  let o = document.createElementNS(Al, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Fr = class {
+var Nr = class {
   view;
   fit;
   constructor(t) {
@@ -2834,30 +2845,30 @@ var Fr = class {
     let [, , o] = cn(this.view, t), [, , r] = cn(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let u = (i - o) / (r - o), p = V(S(t, 1 - u), S(n, u));
-      o < i && (a = p), r < i && (s = p);
+      let u = (i - o) / (r - o), d = I(x(t, 1 - u), x(n, u));
+      o < i && (a = d), r < i && (s = d);
     }
-    let [d, c] = [this.at(a), this.at(s)];
-    return !d || !c ? "" : `M${d[0].toFixed(1)} ${d[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
+    let [p, c] = [this.at(a), this.at(s)];
+    return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function Nr() {
+function Fr() {
   let e = W.value;
-  return be.value, e ? new Fr($t(e.camera, e.head.width, e.head.height)) : null;
+  return _e.value, e ? new Nr($t(e.camera, e.head.width, e.head.height)) : null;
 }
-function qa() {
-  let e = ie(Nr);
+function ja() {
+  let e = ie(Fr);
   return e ? k.all().flatMap(([t, n]) => {
-    let o = ja(n), r = o && e.at(o);
+    let o = Ua(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var ja = fr, Al = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Or(e, t) {
+var Ua = fr, Rl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Dr(e, t) {
   let n = Pt(t);
-  return Al.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Rl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var xn = class {
+var Hl = 150, xn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2873,10 +2884,10 @@ var xn = class {
       n.add(o);
       let s = this.marks.get(o);
       if (!s) {
-        let d = _e("g", { "data-kind": this.kind, "data-id": o }, this.parent);
-        this.shape(d);
-        let c = _e("text", { x: 10, y: 4 }, d);
-        s = { group: d, label: c }, this.marks.set(o, s);
+        let p = ye("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        this.shape(p);
+        let c = ye("text", { x: 10, y: 4 }, p);
+        s = { group: p, label: c }, this.marks.set(o, s);
       }
       if (!r) {
         s.group.setAttribute("display", "none");
@@ -2888,53 +2899,53 @@ var xn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Ua(e) {
-  let t = _e("path", { class: "aims" }, e), n = _e("path", { class: "boxes" }, e), o = _e("path", { class: "boxes hover" }, e), r = _e("path", { class: "grid-lines" }, e), i = new xn(_e("g", {}, e), "lamp", (u) => _e("circle", { r: 4.5 }, u)), a = new xn(_e("g", {}, e), "grid", () => {
-  }), s = new xn(_e("g", {}, e), "meter", (u) => {
-    _e("circle", { r: 5.5 }, u), _e("path", { d: "M-9 0H9M0 -9V9" }, u);
-  }), d = C(() => {
-    let u = Nr();
+function Wa(e) {
+  let t = ye("path", { class: "aims" }, e), n = ye("path", { class: "boxes" }, e), o = ye("path", { class: "boxes hover" }, e), r = ye("path", { class: "grid-lines" }, e), i = new xn(ye("g", {}, e), "lamp", (u) => ye("circle", { r: 4.5 }, u)), a = new xn(ye("g", {}, e), "grid", () => {
+  }), s = new xn(ye("g", {}, e), "meter", (u) => {
+    ye("circle", { r: 5.5 }, u), ye("path", { d: "M-9 0H9M0 -9V9" }, u);
+  }), p = E(() => {
+    let u = Fr();
     if (!u) return;
-    let p = E.value, m = pe.value, f = "", y = "", w = k.all().map(([_, b]) => {
-      let A = p?.kind === "lamp" ? p.ids.includes(_) : p?.kind === "group" && p.ids.includes(b.group ?? -1), L = m?.kind === "lamp" ? m.id === _ : m?.kind === "group" && m.id === b.group, Fe = ja(b), Ne = b.place?.position;
-      if (A && b.box && (y += Or(u, b.box)), Ne && b.place?.direction && (A || L)) {
-        let h = b.place.aim ?? V(Ne, b.place.direction);
-        f += u.line(Ne, h);
+    let d = T.value, m = de.value, f = "", b = "", y = k.ids.value.length <= Hl, S = k.all().map(([w, M]) => {
+      let V = d?.kind === "lamp" ? d.ids.includes(w) : d?.kind === "group" && d.ids.includes(M.group ?? -1), Se = m?.kind === "lamp" ? m.id === w : m?.kind === "group" && m.id === M.group, Ze = Ua(M), fe = M.place?.position;
+      if (V && M.box && (b += Dr(u, M.box)), fe && M.place?.direction && (V || Se)) {
+        let v = M.place.aim ?? I(fe, M.place.direction);
+        f += u.line(fe, v);
       }
-      let ye = A || L || er.value && (b.own || b.place?.position), me = `${A ? "selected" : ""} ${L ? "under" : ""} ${Re(b) ? "" : "off"}`;
-      return { id: _, at: Fe && ye ? u.at(Fe) : null, label: A || L ? b.name : "", state: me };
+      let he = V || Se || y && er.value && (M.own || M.place?.position), h = `${V ? "selected" : ""} ${Se ? "under" : ""} ${He(M) ? "" : "off"}`;
+      return { id: w, at: Ze && he ? u.at(Ze) : null, label: V || Se ? M.name : "", state: h };
     });
-    if (i.draw(w), t.setAttribute("d", f), p?.kind === "thing")
-      for (let _ of p.ids) {
-        let b = he.get(_)?.box;
-        b && (y += Or(u, b));
+    if (i.draw(S), t.setAttribute("d", f), d?.kind === "thing")
+      for (let w of d.ids) {
+        let M = ve.get(w)?.box;
+        M && (b += Dr(u, M));
       }
-    n.setAttribute("d", y);
-    let x = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? he.get(m.id)?.box : null;
-    o.setAttribute("d", x ? Or(u, x) : "");
-  }), c = C(() => {
-    let u = Nr();
+    n.setAttribute("d", b);
+    let _ = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? ve.get(m.id)?.box : null;
+    o.setAttribute("d", _ ? Dr(u, _) : "");
+  }), c = E(() => {
+    let u = Fr();
     if (!u) return;
-    let p = E.value, m = (y, w) => p?.kind === y && p.ids.includes(w) ? "selected" : "";
-    s.draw(St.all().map(([y, w]) => ({
-      id: y,
-      at: u.at(w.point),
-      label: w.lux ? dt(w.lux[0]) : "…",
-      state: m("meter", y)
+    let d = T.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
+    s.draw(St.all().map(([b, y]) => ({
+      id: b,
+      at: u.at(y.point),
+      label: y.lux ? dt(y.lux[0]) : "…",
+      state: m("meter", b)
     })));
     let f = "";
-    a.draw(Dn.all().map(([y, w]) => {
-      f += Rl(u, w);
-      let x = w.mean == null ? "…" : `${w.name} ${dt(w.mean)}`;
-      return { id: y, at: u.at(w.corner), label: x, state: m("grid", y) };
+    a.draw(On.all().map(([b, y]) => {
+      f += Kl(u, y);
+      let S = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
+      return { id: b, at: u.at(y.corner), label: S, state: m("grid", b) };
     })), r.setAttribute("d", f);
   });
   return () => {
-    d(), c(), e.replaceChildren();
+    p(), c(), e.replaceChildren();
   };
 }
-function Rl(e, t) {
-  let n = (r, i) => V(t.corner, V(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+function Kl(e, t) {
+  let n = (r, i) => I(t.corner, I(x(t.u, r), x(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
       let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
@@ -2947,20 +2958,20 @@ function Rl(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Wa = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Hl() {
-  let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = K.all().filter(([, n]) => !n.on || n.level === 0);
-  Te("All lamps on", {
+var Ba = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Ol() {
+  let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = O.all().filter(([, n]) => !n.on || n.level === 0);
+  Pe("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Kl() {
+function Dl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = Dr.value;
+      let e = Or.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
         e?.file ?? J.value?.file ?? "the scene",
@@ -2979,11 +2990,11 @@ function Kl() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Wa() }),
+          l("code", { children: Ba() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          hr(Wa());
+          hr(Ba());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3013,7 +3024,7 @@ function Kl() {
           "."
         ] }),
         " ",
-        l("button", { onClick: () => D({ do: "edit", what: "take" }), children: "Take it back" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
       return l(ce, { tone: "calm", children: [
@@ -3026,7 +3037,7 @@ function Kl() {
           ] }) : "",
           "."
         ] }),
-        l("button", { onClick: () => D({ do: "edit", what: "take" }), children: "Ask for control" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
       return l(ce, { tone: "calm", children: [
@@ -3046,31 +3057,31 @@ function Kl() {
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
         rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: Hl, children: "Turn on" })
+        l("button", { onClick: Ol, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
         "Slow connection.",
-        l("button", { "aria-pressed": Ge.value, onClick: () => Ge.value = !0, children: "Sharper" }),
-        l("button", { "aria-pressed": !Ge.value, onClick: () => Ge.value = !1, children: "Faster" })
+        l("button", { "aria-pressed": ze.value, onClick: () => ze.value = !0, children: "Sharper" }),
+        l("button", { "aria-pressed": !ze.value, onClick: () => ze.value = !1, children: "Faster" })
       ] });
     default:
       return null;
   }
 }
-function Ba() {
+function za() {
   let e = we.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Kl(),
-    Ze.value.length > 0 && l(ce, { tone: "calm", children: [
+    Dl(),
+    Je.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
-          Ze.value.length,
+          Je.value.length,
           " edits no longer find what they changed"
         ] }),
-        l("ul", { children: Ze.value.map((t) => l("li", { children: t }, t)) })
+        l("ul", { children: Je.value.map((t) => l("li", { children: t }, t)) })
       ] }),
-      l("button", { onClick: () => Ze.value = [], children: "Good" })
+      l("button", { onClick: () => Je.value = [], children: "Good" })
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
@@ -3079,26 +3090,26 @@ function Ba() {
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: st.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => Fo(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => No(t.id), children: l(G, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var Ga = g(null);
-function Dl(e, t) {
-  let n = qa();
+var Xa = g(null);
+function Nl(e, t) {
+  let n = ja();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Ol = {
+var Fl = {
   click(e, t, n) {
-    let o = za(e, t);
-    if (z.peek() === null && o) return Xe(o.kind, o.id, n);
+    let o = Ga(e, t);
+    if (z.peek() === null && o) return Ge(o.kind, o.id, n);
     bo(e, t, (r) => {
-      if (r && (Jn.value = { point: r.point, normal: r.normal }), z.peek() !== null) return ia(r);
-      Zi(r, n), E.peek() && (Ve.value = "inspector");
+      if (r && (Jn.value = { point: r.point, normal: r.normal }), z.peek() !== null) return aa(r);
+      ea(r, n), T.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3110,21 +3121,21 @@ var Ol = {
     sr();
   },
   hover(e, t) {
-    let n = za(e, t);
-    n?.kind === "lamp" && (pe.value = { kind: "lamp", id: n.id }), bo(e, t, (o) => {
-      go.value = o, o && (Jn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (pe.value = { kind: "lamp", id: o.lamp });
+    let n = Ga(e, t);
+    n?.kind === "lamp" && (de.value = { kind: "lamp", id: n.id }), bo(e, t, (o) => {
+      go.value = o, o && (Jn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (de.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
-    pe.peek() && (pe.value = null);
+    de.peek() && (de.value = null);
   },
   marquee(e, t, n) {
-    if (Ga.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Dl(e, t);
-    E.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
+    if (Xa.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Nl(e, t);
+    T.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function za(e, t) {
+function Ga(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3134,18 +3145,18 @@ function za(e, t) {
   }
   return o;
 }
-var Fl = {
+var ql = {
   aim: "Click what shall be lit. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
   grid: "Click two opposite corners of the area. Esc to leave.",
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function Xa() {
+function Ya() {
   let e = te(null), t = te(null), n = te(null);
-  return Se(() => {
+  return Me(() => {
     Go(t.current);
-    let o = Ua(n.current), r = Na(e.current, Ol);
+    let o = Wa(n.current), r = qa(e.current, Fl);
     return () => {
       Go(null), o(), r();
     };
@@ -3169,13 +3180,13 @@ function Xa() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(Nl, {})
+          l(jl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: Fl[z.value] }),
-    l(Ba, {}),
+    z.value && l("p", { class: "hint", role: "status", children: ql[z.value] }),
+    l(za, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3183,8 +3194,8 @@ function Xa() {
     l(ee, { part: "What" })
   ] });
 }
-function Nl() {
-  let e = Ga.value;
+function jl() {
+  let e = Xa.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3199,186 +3210,186 @@ function Nl() {
 }
 
 // src/main.tsx
-function ql() {
+function Ul() {
   return l(X, { children: [
-    l(ha, {}),
-    l(Ha, {}),
-    l(Xa, {}),
+    l(va, {}),
+    l(Ka, {}),
+    l(Ya, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Oa, {}),
+    l(Na, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ni(l(ql, {}), ht);
-C(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = fe.value === "edit" && j.value.you && !$e.value ? "yes" : "no";
+ni(l(Ul, {}), ht);
+E(() => {
+  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && j.value.you && !Le.value ? "yes" : "no";
 });
-C(() => {
-  ht.dataset.panels = Jo.value ? "yes" : "no", ht.dataset.drawer = Ve.value ?? "none";
+E(() => {
+  ht.dataset.panels = Jo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
 });
-C(() => {
+E(() => {
   document.documentElement.dataset.theme = Xo.value, document.documentElement.style.setProperty("--house", String(Yo.value));
 });
-C(() => {
+E(() => {
   J.value && (document.title = `${J.value.name} – Lampyris`);
 });
-var Ya = 0;
-C(() => {
-  let [e, t] = be.value, n = Ge.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || fe.value === "watch" || !j.value.you || (clearTimeout(Ya), Ya = window.setTimeout(() => D({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+var Qa = 0;
+E(() => {
+  let [e, t] = _e.value, n = ze.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value !== "open" || pe.value === "watch" || !j.value.you || (clearTimeout(Qa), Qa = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ca();
-Ca();
-Ai();
+fa();
+Ea();
+Ri();
 export {
   yn as Fade,
   gn as Field,
   X as Fragment,
-  We as Gesture,
+  Ue as Gesture,
   G as Icon,
   _r as Item,
-  Ls as PRESETS,
+  Vs as PRESETS,
   Ir as Range,
   Hr as Virtual,
   ut as across,
   oe as act,
-  V as add,
+  I as add,
   ur as adding,
-  ol as allActions,
+  rl as allActions,
   xe as ask,
-  qs as back,
+  js as back,
   mn as before,
   At as candles,
   le as chosenLamps,
   wr as clearSolo,
   uo as closeWhat,
-  $a as colorText,
+  La as colorText,
   oo as command,
   hn as compareHeld,
-  de as comparing,
-  Wi as compass,
+  me as comparing,
+  Bi as compass,
   q as computed,
   hr as copyText,
   Ar as cost,
-  ve as cross,
+  ge as cross,
   Vr as css,
-  Gs as cut,
+  Xs as cut,
   Yn as deselect,
   B as digits,
   at as display,
   De as distance,
-  F as dot,
-  Qs as each,
-  Te as edit,
+  N as dot,
+  Js as each,
+  Pe as edit,
   j as editor,
-  C as effect,
+  E as effect,
   ro as exposeBy,
   tr as fade,
-  Zs as falseColor,
-  ks as filterOf,
-  Ge as fine,
+  el as falseColor,
+  xs as filterOf,
+  ze as fine,
   dn as fitted,
   vn as format,
-  js as forth,
+  Us as forth,
   sr as frameSelection,
   to as free,
-  Sl as fromHex,
+  Ml as fromHex,
   Q as go,
   lr as goHome,
-  zs as goInside,
-  Bs as goPreset,
-  Dn as grids,
-  K as groups,
-  Os as handles,
+  Gs as goInside,
+  zs as goPreset,
+  On as grids,
+  O as groups,
+  Ns as handles,
   Gn as hands,
   ke as hear,
   ne as here,
-  Ta as hex,
+  Pa as hex,
   so as highlight,
   rt as history,
   Yo as houseLights,
-  pe as hovered,
+  de as hovered,
   l as jsx,
   l as jsxs,
   er as lampMarks,
   k as lamps,
   on as layers,
-  Ke as length,
+  Oe as length,
   It as listing,
-  $e as lookOnly,
+  Le as lookOnly,
   xt as looks,
   dt as luxText,
-  Ks as maintenance,
+  Os as maintenance,
   wt as materials,
   St as meters,
-  Be as middle,
-  Ml as mired,
-  Ji as nameOf,
+  We as middle,
+  Cl as mired,
+  Zi as nameOf,
   Z as normal,
-  Ys as onTool,
-  Re as output,
-  _l as padWalk,
+  Qs as onTool,
+  He as output,
+  yl as padWalk,
   Jo as panels,
-  Ie as percent,
+  Ae as percent,
   Rr as pickRow,
   $t as pinhole,
   fr as positionOf,
   cn as project,
-  $s as ray,
-  nl as register,
-  fe as role,
+  Ls as ray,
+  ol as register,
+  pe as role,
   ae as say,
-  S as scale,
+  x as scale,
   J as scene,
-  Xe as select,
-  E as selection,
-  D as send,
-  Xs as setCut,
+  Ge as select,
+  T as selection,
+  K as send,
+  Ys as setCut,
   pt as sheet,
   Tt as show,
   W as shown,
   g as signal,
   Zo as singleKeys,
-  cl as soloSelection,
+  fl as soloSelection,
   Jn as spot,
   cr as startTool,
-  Ce as status,
-  Ts as step,
+  Ee as status,
+  Ps as step,
   Fs as stepSelection,
-  tl as storeLook,
-  el as storeView,
+  nl as storeLook,
+  tl as storeView,
   Uo as stroke,
   mo as strokeLevel,
-  O as sub,
+  D as sub,
   Lr as switchOn,
   Xo as theme,
-  he as things,
-  Qe as three,
+  ve as things,
+  Ye as three,
   Qn as titleOf,
   Er as toLevel,
   Cr as toTravel,
   mr as toggleFalse,
-  al as toggleWipe,
+  sl as toggleWipe,
   z as tool,
   Xn as travel,
   un as turn,
   $r as typeGroupLevel,
   Pr as typeLevel,
-  Le as up,
-  Se as useEffect,
-  us as useLayoutEffect,
+  Ve as up,
+  Me as useEffect,
+  cs as useLayoutEffect,
   te as useRef,
   Kt as viewName,
-  be as viewSize,
+  _e as viewSize,
   kt as views,
-  Sa as walkNames,
+  Ma as walkNames,
   Qo as walking,
   dr as wantLevel,
-  Je as what,
+  Qe as what,
   jn as whyNot,
   vr as whyNotTo,
-  rl as wipeAt
+  il as wipeAt
 };
