@@ -391,7 +391,7 @@ pub(crate) struct LimitArgs {
     /// Vertices of a polygon
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_polygon: Option<u64>,
-    /// Bytes of JSON in a glTF file
+    /// Bytes of JSON in a glTF file or in saved edits
     #[arg(long, value_name = "N", help_heading = LIMITS)]
     pub(crate) max_json_bytes: Option<u64>,
     /// Nodes, meshes, accessors of a glTF file; lists and objects of saved edits

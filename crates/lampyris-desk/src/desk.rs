@@ -2,20 +2,25 @@
 //! the studio's, pictures the screen's.
 
 mod editing;
+mod reaching;
+mod telling;
 
 use crate::adding::NewLamp;
 use crate::door::{Door, Role};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
+use crate::legend::{Legend, Quantity};
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Progress, Studio};
+use crate::studio::{Asked, Found, Progress, Studio, What};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
-use lampyris::Rgb;
+use lampyris::cpu::Answer;
+use lampyris::eye::Meter;
+use lampyris::geometry::Ray;
 use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
@@ -59,9 +64,18 @@ pub(crate) enum Event {
     Metered {
         ev: f32,
     },
+    /// What is known of what lights a point.
+    Lit {
+        client: u64,
+        id: u32,
+        answer: Answer,
+        done: bool,
+    },
     /// What the meters read.
     Measured {
         readings: Vec<Estimate>,
+        /// Of each layer, what it gives each of them [lx].
+        by_layer: Vec<Vec<f32>>,
     },
     /// Edits were written down, or could not be.
     Saved {
@@ -109,6 +123,8 @@ pub(crate) struct Desk {
     layout: Layout,
     /// What is said of meters and grids.
     told: Value,
+    /// Of each layer, what it gives each point that is measured [lx].
+    by_layer: Vec<Vec<f32>>,
     saved: Value,
     /// Since when there is something to save.
     unsaved: Option<Instant>,
@@ -126,6 +142,8 @@ pub(crate) struct Desk {
     seq: u32,
     /// The program ends when nobody looks any more.
     ends_alone: bool,
+    /// Batches after which a picture is finished.
+    enough: u32,
 }
 
 /// What decides a desk when it begins.
@@ -137,11 +155,12 @@ pub(crate) struct Parts {
     pub(crate) file: PathBuf,
     pub(crate) build: Arc<str>,
     pub(crate) ends_alone: bool,
+    pub(crate) enough: u32,
 }
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, file, build, ends_alone } = parts;
+        let Parts { hub, door, studio, screen, file, build, ends_alone, enough } = parts;
         Ok(Desk {
             hub,
             door,
@@ -155,6 +174,7 @@ impl Desk {
             look: None,
             layout: Layout::default(),
             told: Value::Null,
+            by_layer: Vec::new(),
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
             cameras: 0,
@@ -169,6 +189,7 @@ impl Desk {
             editor: None,
             seq: 0,
             ends_alone,
+            enough,
         })
     }
 
@@ -195,7 +216,7 @@ impl Desk {
                     self.progress = Some(progress);
                     self.hub.tell_all(&self.status());
                     let layers = state::layers(self.scene.as_ref(), self.progress.as_ref());
-                    self.hub.tell_all(&json!({"is": "patch", "seq": self.seq, "patch": {"layers": layers}}));
+                    self.tell_patch(json!({"layers": layers}));
                 }
                 Event::Found { client, id, found } => {
                     let answer = state::found(&self.model, id, found);
@@ -212,7 +233,11 @@ impl Desk {
                     }
                     self.tell_patch(json!({"saved": self.saved}));
                 }
-                Event::Measured { readings } => {
+                Event::Lit { client, id, answer, done } => {
+                    self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
+                }
+                Event::Measured { readings, by_layer } => {
+                    self.by_layer = by_layer;
                     self.told = self.layout.told(&readings);
                     self.tell_readings();
                 }
@@ -247,25 +272,6 @@ impl Desk {
         if self.unsaved.take().is_some() || name.is_some() {
             self.studio.save(saving::kept(&self.model), name);
         }
-    }
-
-    /// Level and colour of each layer as it is shown.
-    fn colors(&self) -> Vec<Rgb> {
-        let Some(scene) = &self.scene else { return Vec::new() };
-        let mut colors: Vec<Rgb> = scene.groups.iter().map(|group| group.color).collect();
-        if !self.solo.is_empty() {
-            let lamps = self.solo.iter().filter_map(|id| self.model.lamps.get(*id as usize));
-            let emitters = lamps.flat_map(|lamp| &lamp.emitters);
-            let layers: BTreeSet<u16> = emitters
-                .filter_map(|(k, _)| scene.reference.shares.get(*k as usize))
-                .map(|share| share.group)
-                .collect();
-            (0..)
-                .zip(&mut colors)
-                .filter(|(layer, _)| !layers.contains(layer))
-                .for_each(|(_, color)| *color = Rgb::BLACK);
-        }
-        colors
     }
 
     fn join(&mut self, client: u64, role: Role) {
@@ -362,7 +368,10 @@ impl Desk {
                 let label = state::label(&self.model, &patch);
                 self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
             }
-            Do::End => {
+            Do::End { label } => {
+                if let (Some(gesture), Some(label)) = (&mut self.gesture, label) {
+                    gesture.label = label;
+                }
                 self.end_gesture();
                 Ok(false)
             }
@@ -391,9 +400,10 @@ impl Desk {
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(&patch).map(|()| false),
+            Do::Reach => self.reach(seq),
             Do::Expose => {
                 self.show.ev = None;
-                self.screen.show(self.show);
+                self.screen.show(self.show.clone());
                 Ok(false)
             }
             Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
@@ -423,20 +433,36 @@ impl Desk {
     }
 
     fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
-        match question {
+        let what = match question {
             Question::Point { frame, x, y } => {
                 let frame = self.screen.frame(frame).ok_or("this frame is too old to ask about")?;
-                self.studio.ask(Asked { client, id, frame, at: [x, y] });
-                Ok(false)
+                let inside = |at: f32, size: u32| (0.0..=size as f32).contains(&at);
+                if !inside(x, frame.size[0]) || !inside(y, frame.size[1]) {
+                    return Err("this lies outside of the frame".into());
+                }
+                What::Pixel(frame, [x, y])
             }
-            Question::Light { .. } | Question::Command | Question::Picture { .. } => {
-                Err("this desk cannot tell that".into())
+            Question::Ray { origin, direction } => {
+                let direction = direction.try_normalize().filter(|_| origin.is_finite());
+                What::Ray(Ray::new(origin, direction.ok_or("this ray leads nowhere")?))
             }
-        }
+            Question::Light { point, normal } => {
+                let normal = normal.try_normalize().filter(|_| point.is_finite());
+                What::Light(Meter { position: point, normal: normal.ok_or("this point faces nowhere")? })
+            }
+            Question::Command => {
+                let text = self.command();
+                self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
+                return Ok(false);
+            }
+            Question::Picture { .. } => return Err("this desk saves no pictures: render the document".into()),
+        };
+        self.studio.ask(Asked { client, id, what });
+        Ok(false)
     }
 
     fn display_as(&mut self, patch: &Value) -> Result<(), String> {
-        let mut show = self.show;
+        let mut show = self.show.clone();
         if let Some(ev) = patch.get("ev") {
             let ev =
                 ev.as_f64().filter(|ev| ev.abs() <= 60.0).ok_or("an exposure lies between -60 and 60")?;
@@ -449,7 +475,15 @@ impl Desk {
             show.white = state::white(white)?;
             self.white = white.clone();
         }
-        self.show = show;
+        if let Some(legend) = patch.get("false_color") {
+            show.legend = Legend::read(legend)?.map(Arc::new);
+            let received = |legend: &Arc<Legend>| legend.quantity == Quantity::Illuminance;
+            self.studio.survey(show.legend.as_ref().is_some_and(received));
+        }
+        if patch.get("ev").is_some() {
+            self.metered = false;
+        }
+        self.show = show.clone();
         self.screen.show(show);
         self.tell_patch(json!({"display": self.display()}));
         Ok(())
@@ -478,64 +512,5 @@ impl Desk {
     fn lay_out(&mut self) {
         self.layout = Layout::of(&self.model, -self.down(), self.look.as_ref());
         self.studio.measure(self.layout.points.clone());
-    }
-
-    fn tell_readings(&self) {
-        let mut patch = json!({});
-        for (slice, notes) in [("meters", &self.model.notes.meters), ("grids", &self.model.notes.grids)] {
-            let read = notes.keys().filter(|id| !self.told[slice][id.to_string()].is_null());
-            let entries = read
-                .map(|id| (id.to_string(), state::measured(&notes[id], &self.told[slice][id.to_string()])));
-            patch[slice] = entries.collect::<serde_json::Map<_, _>>().into();
-        }
-        self.tell_patch(patch);
-    }
-
-    fn tell_patch(&self, patch: Value) {
-        self.hub.tell_all(&json!({"is": "patch", "seq": self.seq, "patch": patch}));
-    }
-
-    fn tell_history(&self) {
-        self.tell_patch(json!({"history": self.history_state()}));
-    }
-
-    fn tell_state(&self, client: u64) {
-        let Some(scene) = &self.scene else { return };
-        let mut whole = state::whole(&self.model, scene);
-        whole["scene"] = state::scene(scene, &self.file, &self.model, &self.warnings);
-        whole["layers"] = state::layers(Some(scene), self.progress.as_ref());
-        whole["display"] = self.display();
-        whole["solo"] = json!(self.solo);
-        whole["history"] = self.history_state();
-        whole["saved"] = self.saved.clone();
-        whole["editor"] = self.editor_for(client);
-        whole["status"] = self.status();
-        whole["camera"] = json!(self.look);
-        self.hub.tell(client, &json!({"is": "state", "seq": self.seq, "state": whole}));
-    }
-
-    fn editor_for(&self, client: u64) -> Value {
-        json!({"you": self.editor == Some(client), "name": self.editor.map(|id| format!("guest {id}"))})
-    }
-
-    fn history_state(&self) -> Value {
-        let [undo, redo] = self.history.labels();
-        json!({"undo": undo, "redo": redo, "steps": self.history.steps()})
-    }
-
-    fn display(&self) -> Value {
-        let tone = self.show.tone.name();
-        json!({"ev": self.show.ev, "metered": self.metered, "tone": tone, "white": self.white, "false_color": null})
-    }
-
-    fn status(&self) -> Value {
-        match &self.progress {
-            None => json!({"is": "status", "stage": "loading"}),
-            Some(p) => {
-                let error = p.error.is_finite().then_some(p.error);
-                json!({"is": "status", "stage": p.stage, "fps": p.fps, "batches": p.batches, "error": error,
-                       "good_in": p.good_in, "size": p.size, "layers": p.layers.len()})
-            }
-        }
     }
 }

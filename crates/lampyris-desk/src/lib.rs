@@ -15,6 +15,7 @@ mod error;
 mod history;
 mod http;
 mod hub;
+mod legend;
 mod meters;
 mod mixer;
 mod model;
@@ -26,6 +27,7 @@ mod saving;
 mod screen;
 mod state;
 mod studio;
+mod surfaces;
 mod wire;
 
 pub use error::{Error, Result};
@@ -99,6 +101,7 @@ pub fn serve<E: From<Error> + Send>(
         file: options.file.clone(),
         build: server.build.clone(),
         ends_alone: options.ends_with_page,
+        enough: options.batches,
     };
     let desk = Desk::new(parts)?;
     server.start(listener)?;

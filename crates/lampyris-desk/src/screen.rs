@@ -2,6 +2,7 @@
 //! seen. Of what is to be shown only the latest is.
 
 use crate::hub::{CameraText, Hub, Shown};
+use crate::legend::Legend;
 use crate::wire::{Head, Kind};
 use jpeg_encoder::{ColorType, SamplingFactor};
 use lampyris::Rgb;
@@ -16,6 +17,8 @@ use std::time::{Duration, Instant};
 pub(crate) struct Light {
     pub(crate) size: [u32; 2],
     pub(crate) still: Option<Arc<Still>>,
+    /// What the surfaces behind the pixels reflect, where that tells what they receive.
+    pub(crate) albedos: Option<Arc<Vec<Rgb>>>,
     pub(crate) camera: Arc<CameraText>,
     pub(crate) look: Option<Arc<crate::wire::Look>>,
     pub(crate) batches: u32,
@@ -28,18 +31,19 @@ pub(crate) struct Light {
 }
 
 /// How it is shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Show {
     /// `None` until it was metered.
     pub(crate) ev: Option<f32>,
     pub(crate) tone: ToneCurve,
     /// What each channel is multiplied by.
     pub(crate) white: Rgb,
+    pub(crate) legend: Option<Arc<Legend>>,
 }
 
 impl Default for Show {
     fn default() -> Self {
-        Show { ev: None, tone: ToneCurve::default(), white: Rgb::WHITE }
+        Show { ev: None, tone: ToneCurve::default(), white: Rgb::WHITE, legend: None }
     }
 }
 
@@ -151,7 +155,7 @@ impl Screen {
             }
             let (colors, fading) = wanted.mix();
             wanted.changed = fading;
-            let (light, mut show) = (wanted.light.clone(), wanted.show);
+            let (light, mut show) = (wanted.light.clone(), wanted.show.clone());
             let (Some(kind), Some(look), Some(still)) = (light.kind, light.look.clone(), light.still.clone())
             else {
                 wanted.changed = false;
@@ -174,8 +178,16 @@ impl Screen {
                 self.wanted().show.ev = Some(ev);
                 metered(ev);
             }
-            let Some(picture) = encode(radiance, light.size, &show, kind) else { continue };
-            let lossless = kind == Kind::Final;
+            let painted = show.legend.as_ref().and_then(|legend| {
+                legend.paint(&radiance, light.albedos.as_ref().map(|own| own.as_slice()), light.size)
+            });
+            let false_color = painted.is_some();
+            let picture = match painted {
+                Some(painted) => painted.png().ok(),
+                None => encode(radiance, light.size, &show, kind),
+            };
+            let Some(picture) = picture else { continue };
+            let lossless = kind == Kind::Final || false_color;
             let head = Head {
                 number,
                 seq,
@@ -183,7 +195,7 @@ impl Screen {
                 size: light.size,
                 kind,
                 lossless,
-                false_color: false,
+                false_color,
                 batches: light.batches,
                 error: light.error,
                 light: light.seconds,

@@ -6,8 +6,10 @@ use crate::patch::{ColorPatch, GroupPatch, LampPatch, Patch};
 use crate::studio::{Found, Progress};
 use glam::Vec3;
 use lampyris::Rgb;
+use lampyris::cpu::{Answer, Reading};
 use lampyris::light::LightKind;
 use lampyris::material::Bsdf;
+use lampyris::measuring::Estimate;
 use lampyris::scene::{Scene, upward};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -174,8 +176,28 @@ pub(crate) fn found(model: &Model, id: u32, found: Option<Found>) -> Value {
         model.lamps.iter().position(emits).map(|at| at as u32).or_else(|| model.lamp_of(found.instance));
     json!({
         "is": "answer", "id": id, "hit": true, "point": found.point, "normal": found.normal, "thing": found.instance,
-        "material": found.material, "lamp": lamp, "lux": null, "luminance": null,
+        "material": found.material, "lamp": lamp, "lux": found.lux.map(told), "luminance": found.luminance.map(told),
     })
+}
+
+/// A value and its error.
+fn told(estimate: Estimate) -> Value {
+    json!([estimate.value, estimate.error])
+}
+
+/// What is known of what lights a point.
+pub(crate) fn lit(model: &Model, id: u32, answer: &Answer, done: bool) -> Value {
+    let reading = |own: Reading| json!([own.lux, own.error.is_finite().then_some(own.error)]);
+    let there = (0..).zip(&model.lamps).filter(|(_, lamp): &(u32, &Lamp)| !lamp.gone);
+    let lamps = there.map(|(number, lamp)| {
+        let emitters: Vec<u32> = lamp.emitters.iter().map(|(emitter, _)| *emitter).collect();
+        let own = answer.of(&emitters);
+        json!({
+            "id": number, "direct": reading(own.direct), "indirect": reading(own.indirect), "caustic": reading(own.caustic),
+        })
+    });
+    let lamps: Vec<Value> = lamps.collect();
+    json!({"is": "answer", "id": id, "lux": reading(answer.total().all), "lamps": lamps, "done": done})
 }
 
 /// What to call an edit.

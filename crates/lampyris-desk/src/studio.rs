@@ -1,6 +1,11 @@
 //! The renderer's thread: it owns the session, does what it is asked between batches, and hands light to the screen. While
 //! something moves it draws small pictures, so that many of them fit into a second.
 
+mod work;
+
+use work::Work;
+pub(crate) use work::{Asked, Found, Studio, What};
+
 use crate::Options;
 use crate::desk::{Event, Inbox};
 use crate::error::Result;
@@ -9,22 +14,21 @@ use crate::opening;
 use crate::saver::Saver;
 use crate::saving;
 use crate::screen::{Frame, Light, Screen};
+use crate::surfaces;
 use crate::wire::{Kind, LEAST, Look};
-use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
 use lampyris::document::{self, Document};
-use lampyris::eye::Meter;
 use lampyris::frame::Frame as Sums;
-use lampyris::measuring::Estimate;
+use lampyris::geometry::Ray;
+use lampyris::measuring::{Estimate, illuminance};
 use lampyris::scene::{Camera, Edit, Mesh, Scene, View, find_view, upward};
 use lampyris::session::Session;
 use lampyris::world::World;
-use serde_json::Value;
 use std::f32::consts::PI;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Light groups that lamps are sorted into when a scene opens.
@@ -44,6 +48,9 @@ const SKETCHED: u32 = 4;
 const METERED: u32 = 64;
 const METER_PATHS: u32 = 512;
 
+/// Relative error at which what lights a point is known.
+const ENOUGH_KNOWN: f32 = 0.01;
+
 /// How often a picture is sent that hardly changes.
 const SELDOM: Duration = Duration::from_millis(400);
 
@@ -58,39 +65,6 @@ pub struct Opened {
     pub camera: Option<Camera>,
 }
 
-/// What is to be done, until it is.
-#[derive(Default)]
-struct Work {
-    /// From where to look, the number of that camera, and the message that asked.
-    camera: Option<(Look, u32, u32)>,
-    size: Option<[u32; 2]>,
-    /// Edits in order; of those of one thing that follow each other only the last.
-    edits: Vec<(Edit, u32)>,
-    questions: Vec<Asked>,
-    /// Where to measure from now on.
-    meters: Option<Vec<Meter>>,
-    /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
-    save: Option<(Value, Option<String>)>,
-    ended: bool,
-}
-
-/// A question about a frame that was shown.
-pub(crate) struct Asked {
-    pub(crate) client: u64,
-    pub(crate) id: u32,
-    pub(crate) frame: Frame,
-    pub(crate) at: [f32; 2],
-}
-
-/// What lies behind a pixel.
-pub(crate) struct Found {
-    pub(crate) point: Vec3,
-    pub(crate) normal: Vec3,
-    pub(crate) instance: u32,
-    pub(crate) material: u32,
-    pub(crate) emitter: Option<u32>,
-}
-
 /// How far a picture is.
 #[derive(Clone, Debug)]
 pub(crate) struct Progress {
@@ -102,109 +76,6 @@ pub(crate) struct Progress {
     pub(crate) fps: f32,
     pub(crate) size: [u32; 2],
     pub(crate) layers: Vec<(u32, u32, bool)>,
-}
-
-/// The way to the thread.
-pub(crate) struct Studio {
-    work: Mutex<Work>,
-    wake: Condvar,
-    /// What is to be done makes the batch at hand pointless, or shall not wait for it.
-    urgent: AtomicBool,
-}
-
-impl Studio {
-    pub(crate) fn new() -> Studio {
-        Studio { work: Mutex::default(), wake: Condvar::new(), urgent: AtomicBool::new(false) }
-    }
-
-    /// Looks from elsewhere.
-    pub(crate) fn look(&self, look: Look, number: u32, seq: u32) {
-        self.put(true, |work| work.camera = Some((look, number, seq)));
-    }
-
-    /// Draws in another size.
-    pub(crate) fn resize(&self, size: [u32; 2]) {
-        self.put(true, |work| work.size = Some(size));
-    }
-
-    /// Edits the scene.
-    pub(crate) fn edit(&self, edits: Vec<Edit>, seq: u32) {
-        let urgent = edits.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
-        self.put(urgent, |work| {
-            for edit in edits {
-                match work.edits.last_mut().filter(|(last, _)| replaces(&edit, last)) {
-                    Some(last) => *last = (edit, seq),
-                    None => work.edits.push((edit, seq)),
-                }
-            }
-        });
-    }
-
-    /// Asks what lies behind a pixel.
-    pub(crate) fn ask(&self, asked: Asked) {
-        self.put(true, |work| work.questions.push(asked));
-    }
-
-    pub(crate) fn end(&self) {
-        self.put(true, |work| work.ended = true);
-    }
-
-    /// Measures at some points, in the place of those before.
-    pub(crate) fn measure(&self, meters: Vec<Meter>) {
-        self.put(false, |work| work.meters = Some(meters));
-    }
-
-    /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
-    pub(crate) fn save(&self, desk: Value, name: Option<String>) {
-        self.put(false, |work| work.save = Some((desk, name)));
-    }
-
-    fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {
-        let mut work = self.work();
-        put(&mut work);
-        if urgent {
-            self.urgent.store(true, Ordering::Relaxed);
-        }
-        self.wake.notify_one();
-    }
-
-    fn work(&self) -> MutexGuard<'_, Work> {
-        self.work.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// What there is to do; waits for it until a time, for ever where there is none.
-    fn take(&self, until: Option<Instant>) -> Work {
-        let mut work = self.work();
-        let idle = |work: &Work| {
-            !work.ended
-                && work.camera.is_none()
-                && work.size.is_none()
-                && work.edits.is_empty()
-                && work.questions.is_empty()
-                && work.save.is_none()
-                && work.meters.is_none()
-        };
-        while idle(&work) {
-            work = match until.map(|until| until.saturating_duration_since(Instant::now())) {
-                Some(Duration::ZERO) => break,
-                Some(left) => self.wake.wait_timeout(work, left).unwrap_or_else(PoisonError::into_inner).0,
-                None => self.wake.wait(work).unwrap_or_else(PoisonError::into_inner),
-            };
-        }
-        self.urgent.store(false, Ordering::Relaxed);
-        std::mem::take(&mut work)
-    }
-}
-
-/// Whether an edit makes the one before it pointless.
-fn replaces(edit: &Edit, last: &Edit) -> bool {
-    match (edit, last) {
-        (Edit::Light { light: a, .. }, Edit::Light { light: b, .. }) => a == b,
-        (Edit::Move { instance: a, .. }, Edit::Move { instance: b, .. }) => a == b,
-        (Edit::Material { material: a, .. }, Edit::Material { material: b, .. }) => a == b,
-        (Edit::Mix { group: a, .. }, Edit::Mix { group: b, .. }) => a == b,
-        _ => false,
-    }
 }
 
 /// The session with all that is known of its picture.
@@ -227,6 +98,15 @@ struct Stage {
     /// What a pixel of a sketch takes in a batch [s].
     pixel: f32,
     shown: Instant,
+    /// What people want to know more of.
+    pursued: Vec<Pursued>,
+}
+
+/// What lights a point, batch by batch.
+struct Pursued {
+    client: u64,
+    id: u32,
+    question: lampyris::cpu::Question,
 }
 
 /// Whose batch is next.
@@ -235,6 +115,7 @@ enum Turn {
     Sketch,
     Picture,
     Meters,
+    Question,
 }
 
 /// Opens a scene and renders it until the end.
@@ -263,7 +144,7 @@ pub(crate) fn run(
         saving::restore(&mut model, &own.desk).into_iter().map(|lost| format!("not found any more: {lost}"));
     let warnings = document.warnings.iter().cloned().chain(lost).collect();
     let scene = Box::new(bare(world.scene()));
-    let session = Session::begin(cpu, world, size, &Settings::interactive())?;
+    let session = Session::begin(cpu, world, size, &picture_settings())?;
     inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
     let before = document.before.clone();
     let saver = Saver::start(document, inbox.clone())?;
@@ -281,6 +162,7 @@ pub(crate) fn run(
         moved: None,
         pixel: 0.0,
         shown: Instant::now(),
+        pursued: Vec::new(),
     };
     stage.work(studio, screen, inbox)
 }
@@ -299,8 +181,18 @@ pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
 
 /// A batch that is soon done, of a picture that is soon another.
 fn sketchy() -> Settings {
-    let own = Settings::interactive();
+    let own = picture_settings();
     Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, edges: 0, ..own }
+}
+
+/// How light at points is estimated.
+fn meter_settings() -> Settings {
+    Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() }
+}
+
+/// How a picture is.
+fn picture_settings() -> Settings {
+    Settings { auxiliary: true, ..Settings::interactive() }
 }
 
 impl Stage {
@@ -312,7 +204,12 @@ impl Stage {
             if work.ended {
                 return self.follow(work, inbox);
             }
+            let again = work.again;
             self.follow(work, inbox)?;
+            if again && self.batches() > 0 {
+                self.shown = Instant::now() - SELDOM;
+                self.show(Turn::Picture, 0.0, (studio, screen, inbox))?;
+            }
             // What was asked may have changed whose turn it is.
             let Some(turn) = self.turn(last).0.or(turn) else { continue };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
@@ -321,6 +218,10 @@ impl Stage {
                 Turn::Sketch => self.session.step_sketch(&go_on)?,
                 Turn::Picture => self.session.step_while(&go_on)?,
                 Turn::Meters => self.session.step_meters(&go_on)?,
+                Turn::Question => match self.pursued.first_mut() {
+                    Some(first) => self.session.pursue(&mut first.question, &go_on)?,
+                    None => false,
+                },
             };
             if !done {
                 continue;
@@ -331,13 +232,15 @@ impl Stage {
                 Turn::Sketch => {
                     let pixel = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
                     self.pixel = if self.pixel == 0.0 { pixel } else { 0.7 * self.pixel + 0.3 * pixel };
-                    self.show(Turn::Sketch, seconds, screen, inbox)?;
+                    self.show(Turn::Sketch, seconds, (studio, screen, inbox))?;
                 }
-                Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
+                Turn::Picture => self.show(Turn::Picture, seconds, (studio, screen, inbox))?,
                 Turn::Meters => {
-                    let readings = self.session.meters().map(read).unwrap_or_default();
-                    inbox.put(Event::Measured { readings });
+                    if let Some(frame) = self.session.meters() {
+                        inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
+                    }
                 }
+                Turn::Question => self.tell(inbox)?,
             }
         }
     }
@@ -350,12 +253,16 @@ impl Stage {
         if let Some(rest) = rest {
             return if sketched < SKETCHED { (Some(Turn::Sketch), Some(now)) } else { (None, Some(rest)) };
         }
+        if last != Turn::Question && !self.pursued.is_empty() {
+            return (Some(Turn::Question), Some(now));
+        }
         let picture = !self.session.is_current() || self.batches() < self.enough;
         let meters = self.session.meters().is_some_and(|frame| frame.batches() < METERED);
         match (picture, meters) {
             (true, true) if last == Turn::Picture => (Some(Turn::Meters), Some(now)),
             (true, _) => (Some(Turn::Picture), Some(now)),
             (false, true) => (Some(Turn::Meters), Some(now)),
+            (false, false) if !self.pursued.is_empty() => (Some(Turn::Question), Some(now)),
             (false, false) => (None, None),
         }
     }
@@ -405,9 +312,34 @@ impl Stage {
             (document.layers, document.desk) = (Some(GROUPS as u32), desk);
             self.saver.save(document, name);
         }
-        for asked in work.questions {
-            let found = self.find(&asked);
-            inbox.put(Event::Found { client: asked.client, id: asked.id, found });
+        for Asked { client, id, what } in work.questions {
+            let found = match what {
+                What::Pixel(frame, at) => self.behind(&frame, at),
+                What::Ray(ray) => self.met(&ray),
+                What::Light(meter) => {
+                    // Who asks again wants to know no more of what was asked before.
+                    self.pursued.retain(|own| own.client != client);
+                    let settings = meter_settings();
+                    let question = lampyris::cpu::Question::new(meter, &settings)?;
+                    self.pursued.push(Pursued { client, id, question });
+                    continue;
+                }
+            };
+            inbox.put(Event::Found { client, id, found });
+        }
+        Ok(())
+    }
+
+    /// Tells what is known of the first question, and puts it behind the others, or away if that is enough.
+    fn tell(&mut self, inbox: &Inbox) -> Result<()> {
+        let first = self.pursued.remove(0);
+        let answer = self.session.answer(&first.question)?;
+        let all = answer.total().all;
+        let done =
+            answer.batches() >= METERED || (answer.batches() >= 8 && all.error < ENOUGH_KNOWN * all.lux);
+        inbox.put(Event::Lit { client: first.client, id: first.id, answer, done });
+        if !done {
+            self.pursued.push(first);
         }
         Ok(())
     }
@@ -430,9 +362,16 @@ impl Stage {
     }
 
     /// Hands what was drawn to the screen, and tells how far it is.
-    fn show(&mut self, turn: Turn, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
+    fn show(
+        &mut self,
+        turn: Turn,
+        seconds: f32,
+        (studio, screen, inbox): (&Studio, &Screen, &Inbox),
+    ) -> Result<()> {
         let sketched = turn == Turn::Sketch;
         let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
+        let survey = studio.survey.load(Ordering::Relaxed);
+        let readable = if survey { surfaces::readable(self.session.scene()?) } else { Vec::new() };
         let frame = match self.session.sketched().filter(|_| sketched) {
             Some(frame) => frame,
             None => self.session.frame()?,
@@ -464,6 +403,10 @@ impl Stage {
         screen.light(Light {
             size,
             still: Some(Arc::new(frame.still())),
+            albedos: frame
+                .auxiliary()
+                .filter(|_| survey)
+                .map(|seen| Arc::new(surfaces::albedos(seen, &readable))),
             camera: self.camera.clone(),
             look: Some(self.look.clone()),
             batches,
@@ -477,19 +420,47 @@ impl Stage {
         Ok(())
     }
 
-    fn find(&self, asked: &Asked) -> Option<Found> {
-        let world = self.session.world().ok()?;
-        let [width, height] = asked.frame.size;
-        let view = View::new(&asked.frame.look.camera(), width, height).cut(asked.frame.look.near);
-        let mut ray = view.ray(asked.at[0], asked.at[1]);
+    /// What lies behind a pixel of a frame that was shown.
+    fn behind(&mut self, frame: &Frame, at: [f32; 2]) -> Option<Found> {
+        let [width, height] = frame.size;
+        let view = View::new(&frame.look.camera(), width, height).cut(frame.look.near);
+        let mut ray = view.ray(at[0], at[1]);
         ray.origin += ray.direction * view.skipped(ray.direction);
-        let surface = world.closest(&ray)?;
+        let mut found = self.met(&ray)?;
+        if !self.session.is_current() || *frame.look != *self.look {
+            return Some(found);
+        }
+        // The same place in the picture as it is now, whatever size the frame had.
+        let place = [0, 1].map(|axis| (at[axis] * self.size[axis] as f32 / frame.size[axis] as f32) as u32);
+        let pixel = place[1] as usize * self.size[0] as usize + place[0] as usize;
+        let readable = surfaces::readable(self.session.scene().ok()?);
+        let sums = self.session.frame().ok()?;
+        let (radiance, factor) = (sums.at(pixel)?, sums.student_factor() * sums.standard_error(pixel));
+        if sums.batches() == 0 {
+            return Some(found);
+        }
+        let luminance = f64::from(radiance.luminance());
+        let error = Some(f64::from(factor)).filter(|error| error.is_finite());
+        found.luminance = Some(Estimate { value: luminance, error });
+        let albedo = surfaces::albedo(sums.auxiliary()?, &readable, pixel);
+        let lux = albedo.and_then(|albedo| illuminance(radiance, albedo)).map(f64::from);
+        let scale = |lux: f64| error.filter(|_| luminance > 0.0).map(|error| error / luminance * lux);
+        found.lux = lux.map(|lux| Estimate { value: lux, error: scale(lux) });
+        Some(found)
+    }
+
+    /// What a ray meets first.
+    fn met(&self, ray: &Ray) -> Option<Found> {
+        let world = self.session.world().ok()?;
+        let surface = world.closest(ray)?;
         Some(Found {
             point: surface.position,
             normal: surface.normal,
             instance: surface.instance,
             material: surface.material,
             emitter: world.emitter_of(&surface),
+            lux: None,
+            luminance: None,
         })
     }
 }
@@ -502,4 +473,10 @@ fn read(frame: &Sums) -> Vec<Estimate> {
         Estimate { value: f64::from(mean.luminance() * PI), error: error.is_finite().then_some(error.into()) }
     };
     frame.mean().iter().enumerate().map(reading).collect()
+}
+
+/// What each layer gives each of them [lx].
+fn layers(frame: &Sums) -> Vec<Vec<f32>> {
+    let lux = |plane: Vec<Rgb>| plane.iter().map(|mean| mean.luminance() * PI).collect();
+    (0..frame.layers()).filter_map(|layer| frame.layer(layer)).map(lux).collect()
 }

@@ -41,13 +41,14 @@ pub(crate) enum Do {
     Add { lamp: Box<Value> },
     Copy { lamps: Vec<u32>, count: u32, step: Vec3 },
     Remove { lamps: Vec<u32> },
-    End,
+    End { label: Option<String> },
     Cancel,
     Undo,
     Redo,
     Solo { lamps: Vec<u32> },
     Display { patch: Box<Value> },
     Expose,
+    Reach,
     Look { id: Option<u32>, name: Option<String>, what: String, seconds: f32 },
     Save { name: Option<String> },
     Edit { take: bool },
@@ -74,6 +75,7 @@ pub(crate) struct Look {
 #[serde(tag = "what", rename_all = "lowercase")]
 pub(crate) enum Question {
     Point { frame: u32, x: f32, y: f32 },
+    Ray { origin: Vec3, direction: Vec3 },
     Light { point: Vec3, normal: Vec3 },
     Command,
     Picture { format: String, width: u32, height: u32, batches: u32 },
@@ -153,27 +155,20 @@ impl Do {
                 Do::Copy { lamps, count, step }
             }
             "remove" => Do::Remove { lamps: field(&mut fields, "lamps")? },
-            "end" => Do::End,
+            "end" => Do::End { label: text(&mut fields, "label")? },
             "cancel" => Do::Cancel,
             "undo" => Do::Undo,
             "redo" => Do::Redo,
             "solo" => Do::Solo { lamps: fields.remove("lamps").map_or(Ok(Vec::new()), of)? },
             "display" => Do::Display { patch: field(&mut fields, "patch")? },
             "expose" => Do::Expose,
+            "reach" => Do::Reach,
             "look" => {
                 let ALook { id, name: called, what, seconds } = all(fields)?;
                 let seconds = if seconds.is_finite() { seconds.clamp(0.0, 3600.0) } else { 0.0 };
                 Do::Look { id, name: called.map(name).transpose()?, what, seconds }
             }
-            "save" => Do::Save {
-                name: fields
-                    .remove("name")
-                    .map(of::<Option<String>>)
-                    .transpose()?
-                    .flatten()
-                    .map(name)
-                    .transpose()?,
-            },
+            "save" => Do::Save { name: text(&mut fields, "name")? },
             "edit" => Do::Edit { take: field::<String>(&mut fields, "what")? == "take" },
             "links" => {
                 let Links { what, role, id } = all(fields)?;
@@ -228,6 +223,12 @@ fn of<T: for<'a> Deserialize<'a>>(value: Value) -> Result<T, String> {
 
 fn field<T: for<'a> Deserialize<'a>>(fields: &mut Map<String, Value>, name: &str) -> Result<T, String> {
     of(fields.remove(name).ok_or_else(|| format!("need {name}"))?).map_err(|e| format!("{name}: {e}"))
+}
+
+/// A name, if there is one.
+fn text(fields: &mut Map<String, Value>, field: &str) -> Result<Option<String>, String> {
+    let named: Option<String> = fields.remove(field).map_or(Ok(None), of)?;
+    named.map(name).transpose()
 }
 
 /// A name that is not too long and has no characters that are none.

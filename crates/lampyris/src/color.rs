@@ -11,6 +11,7 @@ pub const BRIGHTEST: f32 = 1e18;
 /// Three channels of linear light, or a reflectance per channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[repr(C)]
+#[serde(deny_unknown_fields)]
 pub struct Rgb {
     /// Rec. 709 red.
     pub r: f32,

@@ -5,6 +5,9 @@
 mod begun;
 mod draw;
 mod film;
+mod question;
+
+pub use question::{Answer, Question, Reading, Shares};
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
 use crate::error::{Error, Result};
@@ -18,6 +21,8 @@ use film::Film;
 pub struct Cpu {
     pool: rayon::ThreadPool,
     job: Option<Job>,
+    /// Counts the states of the world: who asked what lights a point asks anew in each.
+    state: u64,
 }
 
 /// Says whether a batch is still wanted.
@@ -48,7 +53,7 @@ impl Cpu {
             .num_threads(threads.unwrap_or(0))
             .build()
             .map_err(|e| Error::BadSetting(format!("cannot start the threads: {e}; ask for fewer")))?;
-        Ok(Cpu { pool, job: None })
+        Ok(Cpu { pool, job: None, state: 0 })
     }
 
     /// Does something on the threads of this back end, [`World::new`] for instance.
@@ -60,6 +65,7 @@ impl Cpu {
     pub fn begin_world(&mut self, world: World, eye: Eye, settings: &Settings) -> Result<()> {
         let picture = Film::new(&world, eye, settings)?;
         self.job = Some(Job { world, picture, sketch: None, meters: None });
+        self.state += 1;
         Ok(())
     }
 
@@ -94,7 +100,7 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn add_to_sketch(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
-        let Cpu { pool, job } = self;
+        let Cpu { pool, job, .. } = self;
         let Job { world, sketch, .. } = job.as_mut().ok_or_else(nothing)?;
         Ok(sketch.as_mut().is_some_and(|film| pool.install(|| film.add(world, batch, true, go_on))))
     }
@@ -121,7 +127,7 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn add_to_meters(&mut self, batch: Batch, go_on: GoOn<'_>) -> Result<bool> {
-        let Cpu { pool, job } = self;
+        let Cpu { pool, job, .. } = self;
         let Job { world, meters, .. } = job.as_mut().ok_or_else(nothing)?;
         Ok(meters.as_mut().is_some_and(|film| pool.install(|| film.add(world, batch, true, go_on))))
     }
@@ -136,6 +142,27 @@ impl Cpu {
             film.frame.let_go();
         }
         Ok(())
+    }
+
+    /// Adds a batch to what is known of a question, as long as `go_on` says; false if it was given up, and then nothing is
+    /// changed. After an edit that changed any light it is the first.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`, and where the scene has very many lamps.
+    pub fn pursue(&mut self, question: &mut Question, go_on: GoOn<'_>) -> Result<bool> {
+        let Cpu { pool, job, state } = self;
+        let job = job.as_ref().ok_or_else(nothing)?;
+        pool.install(|| question.add(&job.world, *state, go_on))
+    }
+
+    /// What is known of a question, in the levels and colours that the lamps have now; nothing, where light has changed since it
+    /// was pursued last.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn answer(&self, question: &Question) -> Result<Answer> {
+        let job = self.job.as_ref().ok_or_else(nothing)?;
+        Ok(question.answer(&job.world, self.state))
     }
 
     /// Starts all sums, of meters too, afresh after an edit that [`Changes::restarts_all`] and left the view as it was, with
@@ -176,7 +203,7 @@ impl Cpu {
     }
 
     fn render(&mut self, batch: Batch, kept: bool, go_on: GoOn<'_>) -> Result<bool> {
-        let Cpu { pool, job } = self;
+        let Cpu { pool, job, .. } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         Ok(pool.install(|| job.picture.add(&job.world, batch, kept, go_on)))
     }
@@ -201,10 +228,11 @@ impl Cpu {
     /// # Errors
     /// As [`World::apply`], and [`Error::BadSetting`] before `begin`.
     pub fn edit(&mut self, edit: &Edit) -> Result<Changes> {
-        let Cpu { pool, job } = self;
+        let Cpu { pool, job, state } = self;
         let job = job.as_mut().ok_or_else(nothing)?;
         let changes = pool.install(|| job.world.apply(edit))?;
         job.films().for_each(|(world, film)| film.follow(world, edit, &changes));
+        *state += u64::from(changes.geometry || changes.materials || !changes.emitters.is_empty());
         Ok(changes)
     }
 

@@ -14,6 +14,7 @@ mod torn;
 mod window;
 
 pub use auxiliary::Auxiliary;
+pub(crate) use spread::mean_and_variance;
 pub use still::Still;
 
 use crate::color::Rgb;
@@ -164,6 +165,11 @@ impl Frame {
         Some(sum(self.size(), [(&term, layer.color)].into_iter()))
     }
 
+    /// The sums of one layer that exists, of each part that has a plane.
+    pub(crate) fn planes_of(&self, layer: usize) -> impl Iterator<Item = &[Rgb]> {
+        self.layers[layer].planes.iter().map(|plane| plane.as_slice())
+    }
+
     /// The mean of one layer over all its batches, in its colour; `None` if there is none of that number.
     pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
         let layer = self.layers.get(number)?;
@@ -187,6 +193,14 @@ impl Frame {
         let terms: Vec<(Term, Rgb)> =
             self.layers.iter().flat_map(|layer| layer.mean(1.0).map(|term| (term, layer.color))).collect();
         sum(self.size(), terms.iter().map(|(term, color)| (term, *color)))
+    }
+
+    /// One pixel of [`Frame::mean`], to rounding; `None` outside of the picture.
+    pub fn at(&self, pixel: usize) -> Option<Rgb> {
+        let inside = pixel < self.width as usize * self.height as usize;
+        let of =
+            |layer: &Layer| layer.mean(1.0).fold(Rgb::BLACK, |sum, term| sum + term.at(pixel)) * layer.color;
+        inside.then(|| self.layers.iter().fold(Rgb::BLACK, |sum, layer| sum + of(layer)))
     }
 
     /// The picture to show: of each layer the mean of the filtered batches, if they were, as long as the error of the mean

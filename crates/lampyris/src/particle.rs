@@ -56,12 +56,14 @@ pub struct Plan {
     pub survival: f32,
     /// b for vertices of the walk [m⁻²].
     pub bound: f32,
-    /// b for the points of the emitters of each light group [m⁻²]: one for all of a group, since each path carries the same
+    /// b for the points of the emitters of each layer [m⁻²]: one for all of a layer, since each path carries the same
     /// light, an N-th of what the file's lamps had, whose place is known to within the emitters' mean area, Σ p_ℓ A_ℓ / Σ p_ℓ.
     pub emitter_bounds: Vec<f32>,
     /// The least of them.
     pub emitter_bound: f32,
     absorption: Absorption,
+    /// Of each emitter, the layer that its light is summed in.
+    layers: Vec<usize>,
     /// x₀ of each emitter: its expected (or floored) number of paths.
     starts: Vec<f64>,
     /// Of these, the share that leaves a light point: generation 0 thins out like any other.
@@ -91,8 +93,22 @@ pub struct Walk<'w> {
 }
 
 impl Plan {
-    /// Counts and bounds: functions of settings and geometry only, never of a picture.
+    /// Counts and bounds: functions of settings and geometry only, never of a picture. Each light group of the world is
+    /// summed apart.
     pub fn new(world: &World, settings: &Settings) -> Plan {
+        let groups = (0..world.emitters().len() as u32).map(|emitter| world.group_of(emitter));
+        Plan::by_layers(world, settings, groups.collect(), world.groups())
+    }
+
+    /// [`Plan::new`] where each emitter is summed apart. Each has a whole number of light paths, one at least: of lamps told
+    /// apart the weakest is seen in every batch, and what comes straight from a point is exact.
+    pub fn by_emitters(world: &World, settings: &Settings) -> Plan {
+        let count = world.emitters().len();
+        let plan = Plan::by_layers(world, settings, (0..count).collect(), count);
+        Plan { starts: plan.starts.iter().map(|x0| x0.ceil()).collect(), ..plan }
+    }
+
+    fn by_layers(world: &World, settings: &Settings, layers: Vec<usize>, count: usize) -> Plan {
         let n = f64::from(settings.paths);
         let mean = world.mean_reflectance();
         let survival = match settings.absorption {
@@ -114,10 +130,10 @@ impl Plan {
         };
         let q = f64::from(survival);
         let points = settings.light_points.map_or(n, |l| f64::from(l).min(n));
-        let mut emitting = vec![[0.0; 2]; world.groups()];
-        for (k, (e, p)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
+        let mut emitting = vec![[0.0; 2]; count];
+        for (layer, (e, p)) in layers.iter().zip(world.emitters().iter().zip(world.shares())) {
             if !e.is_dark() {
-                let [area, share] = &mut emitting[world.group_of(k)];
+                let [area, share] = &mut emitting[*layer];
                 *area += f64::from(*p) * f64::from(e.area());
                 *share += f64::from(*p);
             }
@@ -129,10 +145,22 @@ impl Plan {
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
             emitter_bound: emitter_bounds.iter().copied().fold(f32::INFINITY, f32::min),
             emitter_bounds,
+            layers,
             absorption: settings.absorption,
             starts,
             pointing: points / n,
         }
+    }
+
+    /// How many layers there are.
+    pub fn layers(&self) -> usize {
+        self.emitter_bounds.len()
+    }
+
+    /// The layer that the light of an emitter is summed in.
+    #[inline]
+    pub fn layer_of(&self, emitter: u32) -> usize {
+        self.layers[emitter as usize]
     }
 
     /// x_j: the number of particles of generation j that the weights assume.
@@ -163,15 +191,15 @@ impl<'w> Walk<'w> {
         Walk::from_emitters(world, settings, plan, batch, |_| true)
     }
 
-    /// The particles that [`Walk::new`] has from the emitters of one light group.
-    pub fn of_group(
+    /// The particles that [`Walk::new`] has from the emitters of one layer.
+    pub fn of_layer(
         world: &'w World,
         settings: &Settings,
         plan: &Plan,
         batch: Batch,
-        group: usize,
+        layer: usize,
     ) -> Walk<'w> {
-        Walk::from_emitters(world, settings, plan, batch, |emitter| world.group_of(emitter) == group)
+        Walk::from_emitters(world, settings, plan, batch, |emitter| plan.layer_of(emitter) == layer)
     }
 
     fn from_emitters(
@@ -290,11 +318,11 @@ fn start_paths(
     let common = threshold(seed, block);
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
-        let x0 = plan.expected(emitter, 0);
-        if world.emitters()[emitter].is_dark() || !wanted(emitter as u32) {
+        if !wanted(emitter as u32) || world.emitters()[emitter].is_dark() {
             // Its paths would carry nothing. Those of others are the same with or without them.
             continue;
         }
+        let x0 = plan.expected(emitter, 0);
         let seed = sequence::hash(seed, emitter as u32 + 1);
         let first_pass = sequence::hash(seed, block ^ 0x5eed_0ff5);
         // Lamps of small shares take turns among the runs.
@@ -368,7 +396,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
             position: point.position,
             shine: point.shine,
             intensity: point.intensity * (share / pointing as f32),
-            bound: plan.emitter_bounds[world.group_of(path.emitter as u32)],
+            bound: plan.emitter_bounds[plan.layers[path.emitter]],
             gloss: None,
         }
     });

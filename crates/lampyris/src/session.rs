@@ -7,7 +7,7 @@
 //! colours of groups start nothing ([`Edit::Mix`]).
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
-use crate::cpu::{Cpu, GoOn};
+use crate::cpu::{Answer, Cpu, GoOn, Question};
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Meter};
 use crate::frame::Frame;
@@ -226,6 +226,25 @@ impl Session {
             self.step_meters(&|| true)?;
         }
         Ok(())
+    }
+
+    /// Adds a batch to what is known of a question ([`Question::new`]), as long as `go_on` says; false if it was given up, and
+    /// then nothing is changed. Neither picture nor meters notice. After an edit that changed any light it is the first
+    /// batch; levels and colours of light groups change none.
+    ///
+    /// # Errors
+    /// Those of the back end, and [`Error::BadSetting`] where the scene has very many lamps.
+    pub fn pursue(&mut self, question: &mut Question, go_on: GoOn<'_>) -> Result<bool> {
+        self.cpu.pursue(question, go_on)
+    }
+
+    /// What is known of a question, in the levels and colours that the lamps have now; nothing, where light has changed
+    /// since it was pursued last.
+    ///
+    /// # Errors
+    /// Those of the back end.
+    pub fn answer(&self, question: &Question) -> Result<Answer> {
+        self.cpu.answer(question)
     }
 
     /// Starts the picture again with other settings.

@@ -89,6 +89,30 @@ fn earlier_edits_are_kept() {
     assert_eq!(desk("office.mgf.lampyris.json"), 2);
 }
 
+/// What somebody else writes there meanwhile, by hand or by going back to a version, is not lost either.
+#[test]
+fn another_hands_edits_are_kept() {
+    let folder = Folder::new();
+    let scene = put(&folder, "office.mgf");
+    let mut place = Place::claim(&plain(&scene).expect("a scene"), None).expect("room");
+    place.save(&Document::default()).expect("room");
+    drop(place);
+    let opened = plain(&beside(&scene)).expect("a document");
+    let mut place = Place::claim(&opened, None).expect("room");
+    assert_eq!(place.save(&cleared(&opened)).expect("room"), None, "it was opened");
+    for round in 1..4 {
+        let text =
+            format!("{{\"lampyris\": 1, \"scene\": {{\"file\": \"office.mgf\"}}, \"layers\": {round}}}");
+        std::fs::write(place.file(), &text).expect("room");
+        let kept = place.save(&cleared(&opened)).expect("room").expect("another hand's");
+        assert_eq!(kept, folder.0.join(format!("office.mgf.{round}.lampyris.json")));
+        assert_eq!(std::fs::read_to_string(kept).expect("a document"), text);
+        assert_eq!(place.save(&Document::default()).expect("room"), None);
+    }
+    std::fs::remove_file(place.file()).expect("a document");
+    assert_eq!(place.save(&Document::default()).expect("room"), None, "taken away is taken away");
+}
+
 #[test]
 fn one_program_writes_at_a_time() {
     let folder = Folder::new();
@@ -272,4 +296,47 @@ fn lost_edits_are_warnings() {
     assert_eq!((opened.lost.len(), opened.warnings.len()), (50, 21));
     assert_eq!(opened.warnings[0], "an edit is left out: light \"gone 0\" is not in the scene any more");
     assert_eq!(opened.warnings[20], "30 more edits are left out");
+}
+
+/// A program that is killed at any moment leaves a whole document, no older than the last that it had finished, and a place
+/// that the next one may claim.
+#[test]
+fn killed_programs_leave_whole_documents() {
+    const FOLDER: &str = "LAMPYRIS_TEST_SAVES_IN";
+    if let Some(folder) = std::env::var_os(FOLDER) {
+        let file = PathBuf::from(folder).join("office.mgf");
+        let document_file = beside(&file);
+        let opened = plain(if document_file.is_file() { &document_file } else { &file }).expect("whole");
+        let mut place = Place::claim(&opened, None).expect("the other one is dead");
+        let first = opened.document.desk["number"].as_u64().unwrap_or(0);
+        for number in first + 1.. {
+            let mut document = Document::default();
+            document.desk = serde_json::json!({"number": number, "long": "x".repeat(50_000)});
+            place.save(&document).expect("room");
+        }
+    }
+    let folder = Folder::new();
+    let file = beside(&put(&folder, "office.mgf"));
+    let number = || match file.is_file() {
+        true => plain(&file).expect("whole").document.desk["number"].as_u64().expect("a number"),
+        false => 0,
+    };
+    let mut last = 0;
+    for round in 0..30 {
+        let mut child = std::process::Command::new(std::env::current_exe().expect("this program"));
+        child.args(["--exact", "killed_programs_leave_whole_documents"]).env(FOLDER, &folder.0);
+        let mut child = child.stdout(std::process::Stdio::null()).spawn().expect("a process");
+        let start = std::time::Instant::now();
+        while number() == last {
+            assert!(start.elapsed().as_secs() < 60, "it does not save");
+        }
+        std::thread::sleep(std::time::Duration::from_micros(round * 1_700 % 13_000));
+        child.kill().expect("a process");
+        child.wait().expect("a process");
+        assert!(number() > last);
+        last = number();
+    }
+    let opened = plain(&file).expect("whole");
+    drop(Place::claim(&opened, None).expect("nobody has it"));
+    assert_eq!(names(&folder.0), ["office.mgf", "office.mgf.lampyris.json"]);
 }

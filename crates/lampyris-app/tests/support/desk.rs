@@ -64,7 +64,7 @@ impl Desk {
         request.headers_mut().insert("origin", format!("http://{}", self.host).parse().unwrap());
         request.headers_mut().insert("cookie", cookie.parse().unwrap());
         let (socket, _) = tungstenite::client(request, stream).expect("a socket");
-        Client { socket, seq: 0, frame: None, state: Value::Null }
+        Client { socket, seq: 0, frame: None, state: Value::Null, you: Value::Null }
     }
 
     /// Ends it as Ctrl-C does, and waits.
@@ -102,6 +102,8 @@ pub(crate) struct Client {
     pub(crate) frame: Option<Frame>,
     /// The state, patched.
     pub(crate) state: Value,
+    /// Its number.
+    you: Value,
 }
 
 /// What was heard.
@@ -127,6 +129,7 @@ impl Client {
             Ok(Message::Text(text)) => {
                 let value: Value = serde_json::from_str(&text).unwrap();
                 match value["is"].as_str() {
+                    Some("hello") => self.you = value["you"].clone(),
                     Some("state") => self.state = value["state"].clone(),
                     Some("patch") => patch(&mut self.state, &value["patch"]),
                     _ => {}

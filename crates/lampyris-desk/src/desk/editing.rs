@@ -181,7 +181,7 @@ impl Desk {
                 }
                 let Some(scene) = &self.scene else { return Ok((inverse, traced)) };
                 let patch = state::of(&self.model, scene, &touched);
-                self.hub.tell_all(&json!({"is": "patch", "seq": seq, "patch": patch}));
+                self.tell_patch_of(seq, patch);
                 Ok((inverse, traced))
             }
             Err(why) => {

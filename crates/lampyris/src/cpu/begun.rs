@@ -83,12 +83,10 @@ impl Film {
 impl Begun {
     /// Goes on for some of its groups.
     fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
-        for place in
-            (0..self.groups.len()).rev().filter(|place| !wanted(self.groups[*place])).collect::<Vec<_>>()
-        {
-            self.groups.remove(place);
-            if let Some(seen) = &mut self.seen {
-                seen.forget(place);
+        for place in (0..self.groups.len()).rev() {
+            if !wanted(self.groups[place]) {
+                self.groups.remove(place);
+                self.seen.iter_mut().for_each(|seen| seen.forget(place));
             }
         }
     }

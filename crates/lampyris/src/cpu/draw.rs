@@ -139,7 +139,7 @@ impl Film {
     ) -> Option<()> {
         let (groups, batch) = (begun.groups.clone(), begun.batch);
         let walk =
-            |group: &usize| go_on().then(|| Walk::of_group(world, &self.settings, &self.plan, batch, *group));
+            |group: &usize| go_on().then(|| Walk::of_layer(world, &self.settings, &self.plan, batch, *group));
         let walks = groups.par_iter().map(walk).collect::<Option<Vec<Walk<'_>>>>()?;
         // Meters hang in the air, where no photon stays: they take the oracle.
         let useful = matches!(self.eye, Eye::Camera(_)) && world.bodies().make_caustics();
@@ -162,10 +162,10 @@ impl Film {
 
     /// Of each class, the light of some groups.
     fn lights<'w>(&self, world: &World, groups: &[usize], walks: &'w [Walk<'w>]) -> Vec<Vec<Lights<'w>>> {
-        let mut shares = vec![0.0; world.groups()];
+        let mut shares = vec![0.0; self.plan.layers()];
         for (number, (emitter, share)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
             // What is dark has no light paths either.
-            shares[world.group_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
+            shares[self.plan.layer_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
         }
         let of_class = |class: u32| {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
@@ -204,7 +204,7 @@ impl Film {
         let sampling = self.sampling(shared.batch, 0);
         let glows = self.integrators.iter().any(|i| i.name() == "emission");
         let layer_of = |emitter| {
-            let group = shared.world.group_of(emitter);
+            let group = self.plan.layer_of(emitter);
             shared.groups.iter().position(|own| glows && *own == group)
         };
         let filter = Filter {

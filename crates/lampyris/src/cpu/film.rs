@@ -35,20 +35,23 @@ impl Film {
     /// [`Error::BadSetting`](crate::Error::BadSetting) for settings that make no sense.
     pub(super) fn new(world: &World, eye: Eye, settings: &Settings) -> Result<Film> {
         settings.check()?;
+        // Either parts have planes of their own or light groups: both would be too many.
+        Film::by(world, eye, settings, Plan::new(world, settings), world.scene().groups.is_empty())
+    }
+
+    /// With the layers of a plan, which has been made by these settings, and planes for the parts or not.
+    pub(super) fn by(world: &World, eye: Eye, settings: &Settings, plan: Plan, apart: bool) -> Result<Film> {
         let integrators = integrator::select(&settings.parts)?;
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
-        // Either parts have planes of their own or light groups: both would be too many.
-        let apart = world.scene().groups.is_empty();
         let (planes, planes_of) = Plane::deal(&integrators, apart);
         let (width, height) = eye.size();
         // Meters have no neighbours.
         let filter = settings.filter && matches!(eye, Eye::Camera(_));
         let settings = Settings { filter, ..settings.clone() };
-        let mut frame =
-            Frame::new(width, height, if apart { &names } else { &[] }, &settings, world.groups());
+        let mut frame = Frame::new(width, height, if apart { &names } else { &[] }, &settings, plan.layers());
         frame.set_mix(&world.mix());
         Ok(Film {
-            plan: Plan::new(world, &settings),
+            plan,
             begun: Vec::new(),
             statistics: Statistics::default(),
             eye,

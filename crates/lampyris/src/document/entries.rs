@@ -2,7 +2,6 @@
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::collections::HashSet;
 use std::fmt::Formatter;
 use std::marker::PhantomData;
 
@@ -35,14 +34,16 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<Entries<T>, A::Error> {
-                let (mut entries, mut known) = (Vec::new(), HashSet::new());
-                while let Some(path) = from.next_key::<String>()? {
-                    if !known.insert(path.clone()) {
-                        return Err(A::Error::custom("a path stands here twice; keep one"));
-                    }
-                    entries.push((path, from.next_value()?));
+                let mut entries: Vec<(String, T)> = Vec::new();
+                while let Some(entry) = from.next_entry()? {
+                    entries.push(entry);
                 }
-                Ok(Entries(entries))
+                let mut paths: Vec<&str> = entries.iter().map(|(path, _)| path.as_str()).collect();
+                paths.sort_unstable();
+                match paths.windows(2).find(|two| two[0] == two[1]) {
+                    Some(two) => Err(A::Error::custom(format!("{:?} stands here twice; keep one", two[0]))),
+                    None => Ok(Entries(entries)),
+                }
             }
         }
         from.deserialize_map(Reader(PhantomData))

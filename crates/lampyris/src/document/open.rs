@@ -1,6 +1,6 @@
 //! Opening: a document, with the scene that it names, or a scene alone.
 
-use super::{Document, Environment, Reading, outline, place};
+use super::{Document, Environment, Reading, outline, place, text};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::import::files::Root;
@@ -38,6 +38,8 @@ pub struct Opened {
     pub warnings: Vec<String>,
     /// What of the edits had no place in the scene.
     pub lost: Vec<String>,
+    /// Of the document's text.
+    pub(super) digest: Option<place::Digest>,
 }
 
 /// How many of the edits that were lost are told of among the warnings.
@@ -85,6 +87,7 @@ fn alone(path: &Path, ask: &Ask) -> Result<Opened> {
         environment: ask.environment.clone(),
         warnings,
         lost: Vec::new(),
+        digest: None,
     })
 }
 
@@ -92,6 +95,7 @@ fn alone(path: &Path, ask: &Ask) -> Result<Opened> {
 fn edited(path: &Path, ask: &Ask, state: Option<&Path>) -> Result<Opened> {
     let limits = &ask.options.limits;
     let (own, file) = Root::new(path, &Options { root: None, ..ask.options.clone() })?;
+    text::within(path, std::fs::metadata(&file).map_or(0, |file| file.len()), limits)?;
     let text = own.read(&file)?;
     let document = Document::read(path, &text, limits)?;
     let trusted = state.is_some_and(|state| lies_in(path, state));
@@ -132,7 +136,8 @@ fn edited(path: &Path, ask: &Ask, state: Option<&Path>) -> Result<Opened> {
     if lost.len() > TOLD {
         opened.warnings.push(format!("{} more edits are left out", lost.len() - TOLD));
     }
-    Ok(Opened { scene, document, document_file: Some(path.into()), lost, ..opened })
+    let digest = Some(place::Digest::new(&text));
+    Ok(Opened { scene, document, document_file: Some(path.into()), lost, digest, ..opened })
 }
 
 /// Puts a picture around a scene.

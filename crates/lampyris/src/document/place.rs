@@ -18,10 +18,29 @@ pub struct Place {
     file: PathBuf,
     /// How the scene is read, in names that hold from here.
     reading: Reading,
-    /// Whether what lies there was opened, or written, by this program.
-    own: bool,
+    /// What lies there, as far as this program has read or written it.
+    known: Option<Digest>,
     notes: Vec<String>,
     _lock: Lock,
+}
+
+/// By what two texts are told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Digest {
+    bytes: u64,
+    /// FNV-1a.
+    hash: u64,
+}
+
+impl Digest {
+    pub(super) fn new(text: &[u8]) -> Digest {
+        let mix = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        Digest { bytes: text.len() as u64, hash: text.iter().fold(0xcbf2_9ce4_8422_2325, mix) }
+    }
+
+    fn of_file(file: &Path) -> Option<Digest> {
+        std::fs::read(file).ok().map(|text| Digest::new(&text))
+    }
 }
 
 /// Where the document of a scene lies: `office.mgf.lampyris.json` beside `office.mgf`.
@@ -43,9 +62,8 @@ pub(super) fn refuge(state: &Path, home: &Path) -> Option<PathBuf> {
     let home = std::path::absolute(home).ok()?;
     let folder = home.parent()?;
     let home = folder.canonicalize().unwrap_or_else(|_| folder.into()).join(home.file_name()?);
-    // FNV-1a, so that scenes of one name do not meet.
-    let mix = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    let hash = home.as_os_str().as_encoded_bytes().iter().fold(0xcbf2_9ce4_8422_2325, mix);
+    // So that scenes of one name do not meet.
+    let hash = Digest::new(home.as_os_str().as_encoded_bytes()).hash;
     let mut name = OsString::from(stem(&home)?);
     name.push(format!("-{hash:016x}{SUFFIX}"));
     Some(state.join(name))
@@ -114,8 +132,8 @@ impl Place {
             None => None,
         };
         let reading = Reading { file: scene, circle: opened.document.scene.circle, environment };
-        let own = opened.document_file.as_deref() == Some(&file);
-        Ok(Place { file, reading, own, notes, _lock: lock })
+        let known = opened.digest.filter(|_| opened.document_file.as_deref() == Some(&file));
+        Ok(Place { file, reading, known, notes, _lock: lock })
     }
 
     /// The document's file.
@@ -128,16 +146,20 @@ impl Place {
         &self.notes
     }
 
-    /// Saves a document. Where edits of an earlier time lie that were not opened, they are kept under another name, which is
-    /// returned.
+    /// Saves a document. What lies there and was neither opened nor written by this program, edits of an earlier time or of
+    /// another hand, is kept under another name, which is returned.
     ///
     /// # Errors
     /// [`Error::CannotWrite`]; what was there before is intact.
     pub fn save(&mut self, document: &Document) -> Result<Option<PathBuf>> {
-        let earlier = if self.own { None } else { self.keep_earlier()? };
-        self.write(&self.file, document)?;
-        self.own = true;
-        Ok(earlier)
+        if !is_ours(&self.file) {
+            return Err(self.blocked());
+        }
+        let found = std::fs::metadata(&self.file).ok().map(|file| file.len());
+        let same = |known: Digest| found == Some(known.bytes) && Digest::of_file(&self.file) == Some(known);
+        let kept = if found.is_none() || self.known.is_some_and(same) { None } else { Some(self.keep()?) };
+        self.known = Some(self.write(&self.file, document)?);
+        Ok(kept)
     }
 
     /// Saves a version of a name, `office.mgf.NAME.lampyris.json`, and returns its file. A version of that name is replaced.
@@ -161,29 +183,31 @@ impl Place {
         Ok(self.file.with_file_name(format!("{stem}.{name}{SUFFIX}")))
     }
 
-    /// Gives edits that lie here, and are not ours, the first name that is free.
-    fn keep_earlier(&self) -> Result<Option<PathBuf>> {
-        if !self.file.exists() {
-            return Ok(None);
-        }
+    /// Gives what lies here the first name that is free.
+    fn keep(&self) -> Result<PathBuf> {
         for number in 1..10_000 {
             let file = self.version(&number.to_string())?;
-            if !file.exists() {
+            if std::fs::symlink_metadata(&file).is_err() {
                 std::fs::rename(&self.file, &file).map_err(|e| self.cannot(e))?;
-                return Ok(Some(file));
+                return Ok(file);
             }
         }
         Err(self.cannot("too many earlier ones lie beside it"))
     }
 
-    fn write(&self, file: &Path, document: &Document) -> Result<()> {
+    fn write(&self, file: &Path, document: &Document) -> Result<Digest> {
         // A link that came with a scene could lead to any of the user's files.
         if !is_ours(file) {
-            return Err(self.cannot("a link or folder of its name is in the way"));
+            return Err(self.blocked());
         }
         let text = Document { scene: self.reading.clone(), ..document.clone() }.text();
-        atomic::write(file, text.as_bytes())
-            .map_err(|e| Error::CannotWrite { file: file.into(), reason: e.to_string() })
+        let cannot = |e: io::Error| Error::CannotWrite { file: file.into(), reason: e.to_string() };
+        atomic::write(file, text.as_bytes()).map_err(cannot)?;
+        Ok(Digest::new(text.as_bytes()))
+    }
+
+    fn blocked(&self) -> Error {
+        self.cannot("a link or folder of its name is in the way")
     }
 
     fn cannot(&self, why: impl std::fmt::Display) -> Error {

@@ -21,26 +21,22 @@ struct Head {
     lampyris: Option<Value>,
 }
 
-/// The text as it lies in a file. A section that says nothing is left out.
-#[derive(Default, Serialize, Deserialize)]
+/// What is read from a file: a section that is not there says nothing.
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 struct Text {
     lampyris: u32,
     scene: Reading,
-    #[serde(skip_serializing_if = "Option::is_none")]
     layers: Option<u32>,
-    #[serde(deserialize_with = "some", skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "some")]
     view: Option<Option<Camera>>,
     lights: Entries<super::LightEdit>,
     added_lights: Vec<crate::light::Light>,
     objects: Entries<super::ObjectEdit>,
     added_objects: Vec<super::Added>,
     materials: Entries<super::MaterialEdit>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     groups: Option<Vec<Group>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     flux: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     emitters: Option<Vec<super::Shining>>,
     desk: Value,
 }
@@ -55,7 +51,7 @@ impl Document {
     ///
     /// # Errors
     /// [`Error::BadInput`] for what is no document, is of a newer version, or says what is unknown or cannot be;
-    /// [`Error::OverLimit`] for more lists and objects than [`Limits::nodes`].
+    /// [`Error::OverLimit`] for more lists and objects than [`Limits::nodes`], and more bytes than [`Limits::json_bytes`].
     pub fn read(file: &Path, text: &[u8], limits: &Limits) -> Result<Document> {
         let bad = |place: String, reason: String| Error::BadInput { file: file.into(), place, reason };
         let broken = |error: serde_json::Error| {
@@ -65,6 +61,7 @@ impl Document {
             let reason = text.chars().filter(|c| !c.is_control()).take(300).collect();
             bad(format!("line {}, column {}", error.line(), error.column()), reason)
         };
+        within(file, text.len() as u64, limits)?;
         // Each takes far more memory than its two letters.
         let count = text.iter().filter(|byte| matches!(byte, b'{' | b'[')).count() as u64;
         if count > limits.nodes {
@@ -95,11 +92,6 @@ impl Document {
             }
         }
         let read: Text = serde_json::from_slice(text).map_err(broken)?;
-        let all: Value = serde_json::from_slice(text).map_err(broken)?;
-        let understood = serde_json::to_value(&read).map_err(broken)?;
-        if let Some(path) = unknown(&all, &understood) {
-            return Err(bad(format!("the path {path}"), "what stands there is unknown".into()));
-        }
         let edits = Edits {
             view: read.view,
             lights: read.lights,
@@ -144,6 +136,14 @@ impl Document {
     }
 }
 
+/// Refuses a file that is too long.
+pub(super) fn within(file: &Path, bytes: u64, limits: &Limits) -> Result<()> {
+    let what = format!("the document's size of {bytes} bytes");
+    let (limit, option) = (limits.json_bytes, "--max-json-bytes");
+    let over = Error::OverLimit { file: file.into(), place: "0".into(), what, limit, option };
+    if bytes > limit { Err(over) } else { Ok(()) }
+}
+
 impl Edits {
     /// What no scene could have, by section.
     fn check(&self) -> std::result::Result<(), (&'static str, String)> {
@@ -173,31 +173,6 @@ impl Edits {
             }
         }
         Ok(())
-    }
-}
-
-/// The path to something in a text that is not among what was understood of it. Nesting is bounded by the parser.
-fn unknown(all: &Value, understood: &Value) -> Option<String> {
-    match (all, understood) {
-        (Value::Object(all), Value::Object(understood)) => all.iter().find_map(|(key, value)| {
-            let inside = match understood.get(key) {
-                Some(known) => unknown(value, known)?,
-                None => String::new(),
-            };
-            let key: String = key.chars().filter(|c| !c.is_control()).take(80).collect();
-            Some(format!("/{key}{inside}"))
-        }),
-        (Value::Array(all), Value::Array(understood)) => all.iter().enumerate().find_map(|(k, value)| {
-            let inside = match understood.get(k) {
-                Some(known) => unknown(value, known)?,
-                None => String::new(),
-            };
-            Some(format!("/{k}{inside}"))
-        }),
-        (Value::Object(_) | Value::Array(_), _) | (_, Value::Object(_) | Value::Array(_)) => {
-            Some(String::new())
-        }
-        _ => None,
     }
 }
 

@@ -117,10 +117,16 @@ fn moments(layers: &[Layer], used: &[usize], sum: impl Fn(&Replicate) -> Rgb) ->
     let mut all = [(0.0, 0.0); MOST_REPLICATES];
     let all = &mut all[..used.len().min(MOST_REPLICATES)];
     all.iter_mut().zip(used).for_each(|(found, k)| *found = of(k));
+    mean_and_variance(all)
+}
+
+/// The mean of all batches, and its variance, of two randomisations or more: of each how many batches it has, and their
+/// mean.
+pub(crate) fn mean_and_variance(all: &[(f64, f64)]) -> (f64, f64) {
     let n: f64 = all.iter().map(|(n, _)| n).sum();
     let mean = all.iter().map(|(n, m)| n * m).sum::<f64>() / n;
     let squares = all.iter().map(|(n, m)| n * (m - mean).powi(2));
-    (mean, squares.sum::<f64>() / (used.len() - 1) as f64 / n)
+    (mean, squares.sum::<f64>() / (all.len() - 1) as f64 / n)
 }
 
 /// Squared relative errors between which the unfiltered mean takes over: what filtering leaves lies about the smaller.

@@ -67,6 +67,11 @@ impl Term {
         Term::new(plane, [weight; 2], 0)
     }
 
+    /// What it gives to a pixel.
+    pub(super) fn at(&self, pixel: usize) -> Rgb {
+        self.plane[pixel] * if pixel < self.head { self.head_weight } else { self.weight }
+    }
+
     fn is_nothing(&self) -> bool {
         self.weight == 0.0 && (self.head_weight == 0.0 || self.head == 0)
     }

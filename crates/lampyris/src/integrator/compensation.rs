@@ -61,8 +61,14 @@ pub(super) fn beyond_clamp<'w>(
         return;
     }
     let reach = 1.0 / b.sqrt();
-    let mut reflected = [Rgb::BLACK; Group::MOST];
-    let reflected = &mut reflected[..out.len()];
+    let (mut groups, mut more) = ([Rgb::BLACK; Group::MOST], Vec::new());
+    let reflected = match groups.get_mut(..out.len()) {
+        Some(groups) => groups,
+        None => {
+            more.resize(out.len(), Rgb::BLACK);
+            &mut more
+        }
+    };
     let mut throughput = Rgb::WHITE;
     for vertex in 0..MAX_VERTICES {
         let Some(s) = Short::new(world, &x, way, reach, numbers, vertex, &mut rays.compensation) else {

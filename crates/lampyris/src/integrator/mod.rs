@@ -46,10 +46,10 @@ pub struct Pass<'w> {
     pub sampling: Sampling,
 }
 
-/// The light of one light group, as far as one class of pixels gathers it.
+/// The light of one light group, or of whatever else is summed apart, as far as one class of pixels gathers it.
 #[derive(Clone, Copy)]
 pub struct Lights<'w> {
-    /// Which group.
+    /// Which group: the layer of [`Plan::layer_of`].
     pub group: usize,
     /// Its share of the samples that a point takes of all light: of light paths it has as many.
     pub share: f32,
@@ -85,7 +85,7 @@ const GOLDEN: f32 = 0.618_034;
 impl<'w> Pass<'w> {
     /// Which of the [`Pass::lights`] an emitter belongs to.
     fn place_of(&self, emitter: u32) -> Option<usize> {
-        let group = self.world.group_of(emitter);
+        let group = self.plan.layer_of(emitter);
         self.lights.iter().position(|lights| lights.group == group)
     }
 

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 /// A named light source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Light {
     /// Name in the file, or one given by the importer.
     pub name: String,
@@ -118,6 +119,7 @@ impl Beam {
 
 /// The closed set of light sources. Directions are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum LightKind {
     /// The same intensity in all directions.
     Point {
@@ -168,6 +170,7 @@ pub enum LightKind {
 
 /// The angular profile of a spot light, 1 on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Beam {
     /// Full inside `cos_inner`, none outside `cos_outer`, smooth between (glTF's `KHR_lights_punctual`: the square
     /// of a linear ramp in the cosine).

@@ -14,6 +14,7 @@ const NO_INTERFACE: f32 = 0.01;
 
 /// The interface between air (outside, +z) and a transparent body.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Dielectric {
     /// Index of refraction of the body, > 0.
     pub ior: f32,

@@ -9,6 +9,7 @@ use std::f32::consts::FRAC_1_PI;
 
 /// A Lambertian surface. Energy asks for reflectance + transmittance ≤ 1 in each channel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Diffuse {
     /// ρ_d, hemispherical reflectance.
     pub reflectance: Rgb,

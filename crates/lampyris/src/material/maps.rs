@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A texture laid on a surface by one of its sets of texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Map {
     /// Which texture of the scene.
     pub texture: u32,
@@ -16,6 +17,7 @@ pub struct Map {
 
 /// The textures of a material. What is absent multiplies by one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Maps {
     /// Red, green and blue: the base colour. Alpha: the coverage.
     pub color: Option<Map>,
@@ -38,6 +40,7 @@ pub struct Maps {
 
 /// How much of a surface is there. What is not there, no ray meets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Coverage {
     /// All of it.
     #[default]

@@ -18,6 +18,7 @@ use std::f32::consts::FRAC_1_PI;
 
 /// The factors of the model, each of which a texture may multiply.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Pbr {
     /// Diffuse reflectance of the plastic, reflectance at normal incidence of the metal, tint of the pane.
     pub base_color: Rgb,

@@ -14,6 +14,7 @@ pub const DELTA_ALPHA: f32 = 1e-4;
 
 /// An MGF surface: diffuse and specular shares, each in reflection and transmission.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Ward {
     /// The Lambertian base.
     pub base: Diffuse,

@@ -103,7 +103,7 @@ impl Photons {
                 Settings { passes: Some(1), interleave: [1, 1], light_points: None, ..settings.clone() };
             let settings = Settings { paths, seed, ..alone };
             let plan = Plan::new(world, &settings);
-            let walk = |group: &usize| Walk::of_group(world, &settings, &plan, batch, *group);
+            let walk = |group: &usize| Walk::of_layer(world, &settings, &plan, batch, *group);
             groups.iter().map(walk).collect::<Vec<_>>()
         });
         let places: Vec<Option<usize>> = (0..world.emitters().len() as u32)

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where one stands, what one looks at.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Camera {
     /// Name in the file.
     pub name: String,

@@ -28,6 +28,7 @@ pub struct Share {
 
 /// Lamps whose light is summed by itself, so that level and colour may be set afterwards without a ray.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Group {
     /// The luminaire's name in the file, or the material's.
     pub name: String,

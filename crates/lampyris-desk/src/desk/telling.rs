@@ -1,0 +1,112 @@
+//! What a desk tells: the state, what changed of it, and how far things are.
+
+use super::Desk;
+use crate::state;
+use lampyris::Rgb;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+
+impl Desk {
+    pub(super) fn tell_readings(&self) {
+        let mut patch = json!({});
+        for (slice, notes) in [("meters", &self.model.notes.meters), ("grids", &self.model.notes.grids)] {
+            let read = notes.keys().filter(|id| !self.told[slice][id.to_string()].is_null());
+            let entries = read
+                .map(|id| (id.to_string(), state::measured(&notes[id], &self.told[slice][id.to_string()])));
+            patch[slice] = entries.collect::<serde_json::Map<_, _>>().into();
+        }
+        self.tell_patch(patch);
+    }
+
+    pub(super) fn tell_patch(&self, patch: Value) {
+        self.tell_patch_of(self.seq, patch);
+    }
+
+    /// What the editor's message of that number changed.
+    pub(super) fn tell_patch_of(&self, seq: u32, patch: Value) {
+        self.hub.tell_all(&json!({"is": "patch", "seq": seq, "by": self.editor, "patch": patch}));
+    }
+
+    pub(super) fn tell_history(&self) {
+        self.tell_patch(json!({"history": self.history_state()}));
+    }
+
+    pub(super) fn tell_state(&self, client: u64) {
+        let Some(scene) = &self.scene else { return };
+        let mut whole = state::whole(&self.model, scene);
+        whole["scene"] = state::scene(scene, &self.file, &self.model, &self.warnings);
+        whole["layers"] = state::layers(Some(scene), self.progress.as_ref());
+        whole["display"] = self.display();
+        whole["solo"] = json!(self.solo);
+        whole["history"] = self.history_state();
+        whole["saved"] = self.saved.clone();
+        whole["editor"] = self.editor_for(client);
+        whole["status"] = self.status();
+        whole["camera"] = json!(self.look);
+        self.hub.tell(client, &json!({"is": "state", "seq": self.seq, "state": whole}));
+    }
+
+    pub(super) fn editor_for(&self, client: u64) -> Value {
+        json!({"you": self.editor == Some(client), "name": self.editor.map(|id| format!("guest {id}"))})
+    }
+
+    pub(super) fn history_state(&self) -> Value {
+        let [undo, redo] = self.history.labels();
+        json!({"undo": undo, "redo": redo, "steps": self.history.steps()})
+    }
+
+    pub(super) fn display(&self) -> Value {
+        let tone = self.show.tone.name();
+        json!({"ev": self.show.ev, "metered": self.metered, "tone": tone, "white": self.white, "false_color": self.show.legend.as_ref().map(|legend| legend.told())})
+    }
+
+    pub(super) fn status(&self) -> Value {
+        match &self.progress {
+            None => json!({"is": "status", "stage": "loading"}),
+            Some(p) => {
+                let error = p.error.is_finite().then_some(p.error);
+                json!({"is": "status", "stage": p.stage, "fps": p.fps, "batches": p.batches, "error": error,
+                       "good_in": p.good_in, "size": p.size, "layers": p.layers.len()})
+            }
+        }
+    }
+
+    /// The command line that renders what is seen.
+    pub(super) fn command(&self) -> String {
+        let file = self.saved["file"].as_str().map_or_else(|| self.file.display().to_string(), str::to_owned);
+        let quoted = format!("'{}'", file.replace('\'', "'\\''"));
+        let view = self.look.as_ref().map_or(String::new(), |look| {
+            let [e, t, u] = [look.eye, look.target, look.up];
+            format!(
+                " --eye {},{},{} --target {},{},{} --up {},{},{} --fov {}",
+                e.x, e.y, e.z, t.x, t.y, t.z, u.x, u.y, u.z, look.fov
+            )
+        });
+        let size = self.progress.as_ref().map_or([640, 480], |p| p.size);
+        let ev = self.show.ev.map_or("auto".into(), |ev| ev.to_string());
+        let (batches, tone) = (self.enough, self.show.tone.name());
+        format!(
+            "lampyris render {quoted}{view} --size {}x{} --batches {batches} --exposure {ev} --tone {tone} -o picture.png",
+            size[0], size[1]
+        )
+    }
+
+    /// Level and colour of each layer as it is shown.
+    pub(super) fn colors(&self) -> Vec<Rgb> {
+        let Some(scene) = &self.scene else { return Vec::new() };
+        let mut colors: Vec<Rgb> = scene.groups.iter().map(|group| group.color).collect();
+        if !self.solo.is_empty() {
+            let lamps = self.solo.iter().filter_map(|id| self.model.lamps.get(*id as usize));
+            let emitters = lamps.flat_map(|lamp| &lamp.emitters);
+            let layers: BTreeSet<u16> = emitters
+                .filter_map(|(k, _)| scene.reference.shares.get(*k as usize))
+                .map(|share| share.group)
+                .collect();
+            (0..)
+                .zip(&mut colors)
+                .filter(|(layer, _)| !layers.contains(layer))
+                .for_each(|(_, color)| *color = Rgb::BLACK);
+        }
+        colors
+    }
+}

@@ -1,0 +1,149 @@
+//! False colour: which quantity is shown in which colours, and the legend that says so. The palette is the desk's; pages have
+//! none of their own.
+
+use lampyris::Rgb;
+use lampyris::measuring::illuminance;
+use lampyris::output::false_color::{FalseColor, Painted, Palette, Scale};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// What is shown instead of light.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Legend {
+    pub(crate) quantity: Quantity,
+    pub(crate) colors: FalseColor,
+    asked: Asked,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Quantity {
+    /// What surfaces receive [lx].
+    Illuminance,
+    /// What comes to the eye [cd/m²].
+    Luminance,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Asked {
+    quantity: Quantity,
+    low: f32,
+    high: f32,
+    scale: AskedScale,
+    #[serde(default)]
+    palette: String,
+    #[serde(default)]
+    lines: bool,
+    #[serde(default)]
+    steps: Option<u8>,
+    #[serde(default)]
+    target: Option<f32>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum AskedScale {
+    Log,
+    Linear,
+}
+
+/// Palettes by name.
+const PALETTES: [(&str, Palette); 3] =
+    [("even", Palette::Even), ("rainbow", Palette::Rainbow), ("grey", Palette::Grey)];
+
+/// Colours of the legend that pages draw, and lines that there are about.
+const SHOWN: usize = 33;
+const LINES: usize = 8;
+
+impl Legend {
+    /// What a page asks for; null for none.
+    pub(crate) fn read(value: &Value) -> Result<Option<Legend>, String> {
+        if value.is_null() {
+            return Ok(None);
+        }
+        let mut asked = Asked::deserialize(value).map_err(|e| e.to_string())?;
+        let known = PALETTES.iter().find(|(name, _)| *name == asked.palette).unwrap_or(&PALETTES[0]);
+        asked.palette = known.0.into();
+        let scale = match asked.scale {
+            AskedScale::Log => Scale::Log,
+            AskedScale::Linear => Scale::Linear,
+        };
+        let mut colors = FalseColor {
+            low: asked.low,
+            high: asked.high,
+            scale,
+            steps: asked.steps,
+            palette: known.1,
+            lines: Vec::new(),
+        };
+        colors.paint(&[asked.low], [1, 1]).map_err(|e| e.to_string())?;
+        if asked.lines {
+            let target = asked.target;
+            let ticks = colors.ticks(LINES).into_iter().map(|tick| tick.value as f32);
+            colors.lines = ticks.filter(|tick| Some(*tick) != target).map(|tick| (tick, false)).collect();
+            colors.lines.extend(target.map(|target| (target, true)));
+        }
+        Ok(Some(Legend { quantity: asked.quantity, colors, asked }))
+    }
+
+    /// What pages are told.
+    pub(crate) fn told(&self) -> Value {
+        let color = |k: usize| {
+            let [r, g, b] = self.colors.color(k as f32 / (SHOWN - 1) as f32);
+            format!("#{r:02x}{g:02x}{b:02x}")
+        };
+        let mut told = json!(self.asked);
+        told["colors"] = (0..SHOWN).map(color).collect();
+        told["palettes"] = PALETTES.iter().map(|(name, _)| *name).collect();
+        let ticks = self.colors.ticks(LINES);
+        told["ticks"] = ticks.iter().map(|tick| json!([tick.value, tick.place])).collect();
+        told
+    }
+
+    /// A picture in its colours. Where nothing can be said of what surfaces receive, it is hatched.
+    pub(crate) fn paint(&self, radiance: &[Rgb], albedos: Option<&[Rgb]>, size: [u32; 2]) -> Option<Painted> {
+        let values: Vec<f32> = match self.quantity {
+            Quantity::Luminance => radiance.iter().map(|c| c.luminance()).collect(),
+            Quantity::Illuminance => {
+                let lux = |(c, albedo): (&Rgb, &Rgb)| illuminance(*c, *albedo).unwrap_or(f32::NAN);
+                radiance.iter().zip(albedos?).map(lux).collect()
+            }
+        };
+        self.colors.paint(&values, size).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn legends_are_told_as_they_were_asked_for() {
+        let asked = json!({"quantity": "illuminance", "low": 1.0, "high": 1000.0, "scale": "log", "palette": "even", "lines": true});
+        let legend = Legend::read(&asked).unwrap().unwrap();
+        let told = legend.told();
+        for field in ["quantity", "low", "high", "scale", "palette", "lines"] {
+            assert_eq!(told[field], asked[field], "{field}");
+        }
+        assert_eq!(told["colors"].as_array().unwrap().len(), SHOWN);
+        assert_eq!(Legend::read(&told).unwrap().unwrap(), legend);
+        assert_eq!(Legend::read(&Value::Null).unwrap(), None);
+        for (low, high) in [(0.0, 10.0), (10.0, 1.0), (5.0, 5.0)] {
+            let mut bad = asked.clone();
+            (bad["low"], bad["high"]) = (low.into(), high.into());
+            assert!(Legend::read(&bad).is_err(), "{low} to {high}");
+        }
+    }
+
+    #[test]
+    fn what_receives_nothing_that_can_be_told_is_hatched() {
+        let asked = json!({"quantity": "illuminance", "low": 1, "high": 100, "scale": "log"});
+        let legend = Legend::read(&asked).unwrap().unwrap();
+        let radiance = vec![Rgb::grey(3.0); 256];
+        let matt = legend.paint(&radiance, Some(&[Rgb::grey(0.5); 256]), [16, 16]).unwrap();
+        assert!(matt.pixels.iter().all(|p| *p == matt.pixels[0]));
+        let none = legend.paint(&radiance, Some(&[Rgb::BLACK; 256]), [16, 16]).unwrap();
+        assert!(none.pixels.iter().all(|p| *p != matt.pixels[0]));
+        assert!(legend.paint(&radiance, None, [16, 16]).is_none());
+    }
+}

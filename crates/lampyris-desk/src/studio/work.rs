@@ -1,0 +1,178 @@
+//! What the studio is asked to do: everybody may put something down, and it takes all of it between batches.
+
+use crate::screen::Frame;
+use crate::wire::Look;
+use glam::Vec3;
+use lampyris::eye::Meter;
+use lampyris::geometry::Ray;
+use lampyris::measuring::Estimate;
+use lampyris::scene::Edit;
+use serde_json::Value;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// What is to be done, until it is.
+#[derive(Default)]
+pub(super) struct Work {
+    /// From where to look, the number of that camera, and the message that asked.
+    pub(super) camera: Option<(Look, u32, u32)>,
+    pub(super) size: Option<[u32; 2]>,
+    /// Edits in order; of those of one thing that follow each other only the last.
+    pub(super) edits: Vec<(Edit, u32)>,
+    pub(super) questions: Vec<Asked>,
+    /// The picture is to be shown once more.
+    pub(super) again: bool,
+    /// Where to measure from now on.
+    pub(super) meters: Option<Vec<Meter>>,
+    /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
+    pub(super) save: Option<(Value, Option<String>)>,
+    pub(super) ended: bool,
+}
+
+/// A question, and who asked it.
+pub(crate) struct Asked {
+    pub(crate) client: u64,
+    pub(crate) id: u32,
+    pub(crate) what: What,
+}
+
+/// What is asked.
+pub(crate) enum What {
+    /// What lies behind a pixel of a frame that was shown.
+    Pixel(Frame, [f32; 2]),
+    /// What a ray meets first.
+    Ray(Ray),
+    /// What lights a point.
+    Light(Meter),
+}
+
+/// What lies behind a pixel.
+pub(crate) struct Found {
+    pub(crate) point: Vec3,
+    pub(crate) normal: Vec3,
+    pub(crate) instance: u32,
+    pub(crate) material: u32,
+    pub(crate) emitter: Option<u32>,
+    /// What it receives [lx], as far as the picture tells, and what it sends to the eye [cd/m²], each with its 95 % error.
+    pub(crate) lux: Option<Estimate>,
+    pub(crate) luminance: Option<Estimate>,
+}
+
+/// The way to the thread.
+pub(crate) struct Studio {
+    work: Mutex<Work>,
+    wake: Condvar,
+    /// Whether the surfaces of pictures are to be told.
+    pub(super) survey: AtomicBool,
+    /// What is to be done makes the batch at hand pointless, or shall not wait for it.
+    pub(super) urgent: AtomicBool,
+}
+
+impl Studio {
+    pub(crate) fn new() -> Studio {
+        Studio {
+            work: Mutex::default(),
+            wake: Condvar::new(),
+            survey: AtomicBool::new(false),
+            urgent: AtomicBool::new(false),
+        }
+    }
+
+    /// Looks from elsewhere.
+    pub(crate) fn look(&self, look: Look, number: u32, seq: u32) {
+        self.put(true, |work| work.camera = Some((look, number, seq)));
+    }
+
+    /// Draws in another size.
+    pub(crate) fn resize(&self, size: [u32; 2]) {
+        self.put(true, |work| work.size = Some(size));
+    }
+
+    /// Edits the scene.
+    pub(crate) fn edit(&self, edits: Vec<Edit>, seq: u32) {
+        let urgent = edits.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+        self.put(urgent, |work| {
+            for edit in edits {
+                match work.edits.last_mut().filter(|(last, _)| replaces(&edit, last)) {
+                    Some(last) => *last = (edit, seq),
+                    None => work.edits.push((edit, seq)),
+                }
+            }
+        });
+    }
+
+    /// Whether the surfaces of pictures are to be told from now on, for false colour of illuminance.
+    pub(crate) fn survey(&self, on: bool) {
+        if self.survey.swap(on, Ordering::Relaxed) != on {
+            self.put(true, |work| work.again = true);
+        }
+    }
+
+    /// Asks.
+    pub(crate) fn ask(&self, asked: Asked) {
+        self.put(true, |work| work.questions.push(asked));
+    }
+
+    pub(crate) fn end(&self) {
+        self.put(true, |work| work.ended = true);
+    }
+
+    /// Measures at some points, in the place of those before.
+    pub(crate) fn measure(&self, meters: Vec<Meter>) {
+        self.put(false, |work| work.meters = Some(meters));
+    }
+
+    /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
+    pub(crate) fn save(&self, desk: Value, name: Option<String>) {
+        self.put(false, |work| work.save = Some((desk, name)));
+    }
+
+    fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {
+        let mut work = self.work();
+        put(&mut work);
+        if urgent {
+            self.urgent.store(true, Ordering::Relaxed);
+        }
+        self.wake.notify_one();
+    }
+
+    fn work(&self) -> MutexGuard<'_, Work> {
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What there is to do; waits for it until a time, for ever where there is none.
+    pub(super) fn take(&self, until: Option<Instant>) -> Work {
+        let mut work = self.work();
+        let idle = |work: &Work| {
+            !work.ended
+                && work.camera.is_none()
+                && work.size.is_none()
+                && work.edits.is_empty()
+                && work.questions.is_empty()
+                && work.save.is_none()
+                && work.meters.is_none()
+                && !work.again
+        };
+        while idle(&work) {
+            work = match until.map(|until| until.saturating_duration_since(Instant::now())) {
+                Some(Duration::ZERO) => break,
+                Some(left) => self.wake.wait_timeout(work, left).unwrap_or_else(PoisonError::into_inner).0,
+                None => self.wake.wait(work).unwrap_or_else(PoisonError::into_inner),
+            };
+        }
+        self.urgent.store(false, Ordering::Relaxed);
+        std::mem::take(&mut work)
+    }
+}
+
+/// Whether an edit makes the one before it pointless.
+fn replaces(edit: &Edit, last: &Edit) -> bool {
+    match (edit, last) {
+        (Edit::Light { light: a, .. }, Edit::Light { light: b, .. }) => a == b,
+        (Edit::Move { instance: a, .. }, Edit::Move { instance: b, .. }) => a == b,
+        (Edit::Material { material: a, .. }, Edit::Material { material: b, .. }) => a == b,
+        (Edit::Mix { group: a, .. }, Edit::Mix { group: b, .. }) => a == b,
+        _ => false,
+    }
+}
