@@ -13,6 +13,7 @@ use crate::legend::{Legend, Quantity};
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
+use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
@@ -87,6 +88,12 @@ pub(crate) enum Event {
     Reloaded {
         lost: Vec<String>,
     },
+    /// A picture to keep was made, of that name, or was not.
+    Made {
+        client: u64,
+        id: u32,
+        done: Result<String, String>,
+    },
     /// Edits were written down, or could not be.
     Saved {
         saved: Value,
@@ -123,6 +130,10 @@ pub(crate) struct Desk {
     door: Arc<Door>,
     studio: Arc<Studio>,
     screen: Arc<Screen>,
+    printer: Arc<Printer>,
+    inbox: Inbox,
+    /// Pictures that wait until all is saved.
+    orders: Vec<Order>,
     file: PathBuf,
     build: Arc<str>,
     model: Model,
@@ -154,6 +165,8 @@ pub(crate) struct Desk {
     ends_alone: bool,
     /// Batches after which a picture is finished.
     enough: u32,
+    /// Documents on their way to the disk.
+    saving: u32,
 }
 
 /// What decides a desk when it begins.
@@ -162,6 +175,8 @@ pub(crate) struct Parts {
     pub(crate) door: Arc<Door>,
     pub(crate) studio: Arc<Studio>,
     pub(crate) screen: Arc<Screen>,
+    pub(crate) printer: Arc<Printer>,
+    pub(crate) inbox: Inbox,
     pub(crate) file: PathBuf,
     pub(crate) build: Arc<str>,
     pub(crate) ends_alone: bool,
@@ -170,12 +185,15 @@ pub(crate) struct Parts {
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, file, build, ends_alone, enough } = parts;
+        let Parts { hub, door, studio, screen, printer, inbox, file, build, ends_alone, enough } = parts;
         Ok(Desk {
             hub,
             door,
             studio,
             screen,
+            printer,
+            inbox,
+            orders: Vec::new(),
             file,
             build,
             model: Model::default(),
@@ -200,6 +218,7 @@ impl Desk {
             seq: 0,
             ends_alone,
             enough,
+            saving: 0,
         })
     }
 
@@ -242,11 +261,13 @@ impl Desk {
                     self.tell_patch(json!({"display": self.display()}));
                 }
                 Event::Saved { saved } => {
+                    self.saving = 0;
                     self.saved = saved;
                     if self.unsaved.is_some() && self.saved["state"] == "saved" {
                         self.saved["state"] = "waiting".into();
                     }
                     self.tell_patch(json!({"saved": self.saved}));
+                    self.print();
                 }
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
@@ -267,6 +288,16 @@ impl Desk {
                     let event = json!({"is": "event", "what": "reloaded", "kept": self.history.steps(), "lost": lost});
                     self.hub.tell_all(&event);
                 }
+                Event::Made { client, id, done } => {
+                    let answer = match done {
+                        Ok(name) => {
+                            json!({"is": "answer", "id": id, "name": name, "url": format!("/made/{name}")})
+                        }
+                        Err(why) => json!({"is": "answer", "id": id, "why": why}),
+                    };
+                    self.hub.tell(client, &answer);
+                    self.print();
+                }
                 Event::Idle => self.save(None),
                 Event::Refused { why } => {
                     if let Some(editor) = self.editor {
@@ -279,6 +310,7 @@ impl Desk {
         self.end_gesture();
         self.save(None);
         self.hub.tell_all(&json!({"is": "event", "what": "bye"}));
+        self.printer.end();
         self.studio.end();
         self.screen.end();
     }
@@ -296,6 +328,7 @@ impl Desk {
     /// Has the edits written down, if there are some, or as a version of a name.
     fn save(&mut self, name: Option<String>) {
         if self.unsaved.take().is_some() || name.is_some() {
+            self.saving += 1;
             self.studio.save(saving::kept(&self.model), name);
         }
     }
@@ -481,7 +514,14 @@ impl Desk {
                 self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
                 return Ok(false);
             }
-            Question::Picture { .. } => return Err("this desk saves no pictures: render the document".into()),
+            Question::Picture { format, width, height, batches } => {
+                let order = Order { client, id, format, size: [width, height], batches };
+                order.check()?;
+                self.orders.push(order);
+                self.save(None);
+                self.print();
+                return Ok(false);
+            }
         };
         self.studio.ask(Asked { client, id, what });
         Ok(false)

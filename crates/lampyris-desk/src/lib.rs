@@ -22,6 +22,7 @@ mod model;
 mod opening;
 mod page;
 mod patch;
+mod printer;
 mod saver;
 mod saving;
 mod screen;
@@ -37,6 +38,7 @@ pub use studio::Opened;
 use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
+use printer::Printer;
 use screen::Screen;
 use std::fmt::Display;
 use std::net::SocketAddr;
@@ -54,6 +56,8 @@ pub struct Options {
     pub exposed: bool,
     /// The file that the scene comes from.
     pub file: PathBuf,
+    /// The program, of which pictures to keep are asked.
+    pub program: PathBuf,
     /// Width and height of pictures before a page says what it has room for [pixels].
     pub size: [u32; 2],
     /// Batches after which a picture is finished.
@@ -95,12 +99,15 @@ pub fn serve<E: From<Error> + Display + Send>(
     let door = Arc::new(Door::new(address)?);
     let (inbox, events) = Inbox::new();
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
-    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone());
+    let printer = Arc::new(Printer::new(options.program.clone()));
+    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone());
     let parts = Parts {
         hub: hub.clone(),
         door: door.clone(),
         studio: studio.clone(),
         screen: screen.clone(),
+        printer,
+        inbox: inbox.clone(),
         file: options.file.clone(),
         build: server.build.clone(),
         ends_alone: options.ends_with_page,
