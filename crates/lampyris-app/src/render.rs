@@ -103,7 +103,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let chosen = backend.install(|| viewing::choose(&args.view, &world, aspect))?;
     drop(phase);
     if chosen.seen.is_some() && !args.quiet {
-        say::note(&format!("view: {}", viewing::arguments(&chosen.camera)));
+        say::note(&format!("view: {}", viewing::arguments(&chosen.camera, args.view.near)));
     }
     let viewed_at = Instant::now();
 
