@@ -1,5 +1,5 @@
 // node_modules/preact/dist/preact.mjs
-var C, zr, So, Ne, ko, En, Gr, Mn, Xr, Mo, xo, os, zt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, Pn = [], rs = /^m(i|n|o|s|text|space)$/, Co = Array.isArray, Eo = Pn.slice, tt = Object.assign;
+var E, zr, So, Ne, ko, En, Gr, Mn, Xr, Mo, xo, os, zt = /* @__PURE__ */ Symbol.for("pv"), Tn = {}, Pn = [], rs = /^m(i|n|o|s|text|space)$/, Co = Array.isArray, Eo = Pn.slice, tt = Object.assign;
 function et(e) {
   e && e.parentNode && e.remove();
 }
@@ -10,7 +10,7 @@ function Yr(e, t, n) {
 }
 function Bt(e, t, n, o, r) {
   var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++zr, __i: -1, __u: 0 };
-  return !r && C.vnode && C.vnode(i), i;
+  return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
   return e.children;
@@ -25,7 +25,7 @@ function qe(e, t) {
 }
 function is(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), To(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
+  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), To(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ni(r, t, i), n.__ = n.__e = null, t.__e != o && Qr(t));
 }
 function Qr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
@@ -33,7 +33,7 @@ function Qr(e) {
   }), Qr(e);
 }
 function Wr(e) {
-  (8 & e.__g || (e.__g |= 8, Ne.push(e), En++)) && ko == C.debounceRendering || ((ko = C.debounceRendering) || queueMicrotask)(Jr);
+  (8 & e.__g || (e.__g |= 8, Ne.push(e), En++)) && ko == E.debounceRendering || ((ko = E.debounceRendering) || queueMicrotask)(Jr);
 }
 function Jr() {
   try {
@@ -43,21 +43,21 @@ function Jr() {
   }
 }
 function Zr(e, t, n, o, r, i, a, s, p, c, u) {
-  var d, m, f, y, _, w, M = o.__k || Pn, b = t.length;
-  for (p = as(n, t, M, p, b), d = 0; d < b; d++) (f = n.__k[d]) != null && (m = ~f.__i && M[f.__i] || Tn, f.__i = d, w = To(e, f, m, r, i, a, s, p, c, u), y = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Po(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || y, f)), _ = _ || y, 4 & f.__u ? (p = ei(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : y && (p = y.nextSibling), f.__u &= -21);
-  return n.__e = _, p;
+  var d, m, f, b, y, w, x = o.__k || Pn, k = t.length;
+  for (p = as(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Tn, f.__i = d, w = To(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Po(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ei(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  return n.__e = y, p;
 }
 function as(e, t, n, o, r) {
-  var i, a, s, p, c, u, d, m, f, y = n.length, _ = y, w = 0, M = 0, b = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = b[i] = Bt(null, a) : Co(a) ? a = b[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = b[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : b[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ss(a, n, p, _)) && (_--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, M = 1)) : (~c || (r > y ? w-- : r < y && w++), typeof a.type != "function" && (a.__u |= 4))) : b[i] = null;
-  if (M) {
-    for (u = [], d = [], i = 0; i < r; i++) if ((a = b[i]) && 16 & a.__u) {
+  var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Co(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ss(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  if (x) {
+    for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
       u[w] = a.__i, d[i] = w + 1;
     }
-    for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : b[i].__u |= 4);
+    for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : k[i].__u |= 4);
   }
-  if (_) for (i = 0; i < y; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), $o(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), $o(s, s));
   return o;
 }
 function ei(e, t, n, o) {
@@ -107,57 +107,57 @@ function ls(e) {
     if (n) {
       if (n = n[e], t[Mn] == null) t[Mn] = Mo++;
       else if (t[Mn] < this.__a[e]) return;
-      return n(C.event ? C.event(t) : t);
+      return n(E.event ? E.event(t) : t);
     }
   };
 }
 function To(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, y, _, w, M, b, k, V, Me, Ze, fe, he, h, v, P, $ = t.type;
+  var u, d, m, f, b, y, w, x, k, _, C, Me, Ze, fe, ve, h, v, $, L = t.type;
   if (t.constructor !== zt) return null;
-  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = Cn(u, i) : i.push(u), s = i[0] || s), (u = C.__b) && u(t);
-  e: if (typeof $ == "function") {
+  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = Cn(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
+  e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (M = t.props, b = (u = $.prototype) && u.render, k = (u = $.contextType) && o[u.__c], V = u ? k ? k.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (b ? t.__c = f = new $(M, V) : (t.__c = f = new gt(M, V), f.constructor = $, f.render = cs), k && k.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), b && (f.__s || (f.__s = f.state), $.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, $.getDerivedStateFromProps(M, f.__s)))), y = f.props, _ = f.state, f.__v = t, n.__c) {
-        if (M !== y && b && !$.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(M, V), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(M, f.__s, V) === !1) {
-          t.__v != n.__v && (f.props = M, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(L) {
-            L && (L.__ = t);
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = cs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+        if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
+          t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
+            V && (V.__ = t);
           }), Pn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = qe(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(M, f.__s, V), b && f.componentDidUpdate && f.__h.push(function() {
-          f.componentDidUpdate(y, _, w);
+        f.componentWillUpdate && f.componentWillUpdate(x, f.__s, C), k && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(b, y, w);
         });
-      } else b && !$.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), b && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = V, f.props = M, f.__P = e, f.__g &= -5, Me = C.__r, Ze = b ? 25 : 0;
+      } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
+      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Ze = k ? 25 : 0;
       do
         f.__g &= -9, Me && Me(t), u = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Ze < 25);
-      b && (Pn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), b && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(y, _)), fe = u && u.type === X && u.key == null ? u.props.children : u, M.__P && (u = s, r = (e = M.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(L) {
-        L && $o(L, L);
-      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = Zr(e, Co(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), M.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch (L) {
-      if (a.length = m, t.__v = null, p || i) if (L && L.then) {
+      k && (Pn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
+        V && $o(V, V);
+      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = Zr(e, Co(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch (V) {
+      if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
-          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (P = i[v - 1]) && P.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if (P = i[v]) if (i[v] = null, he) {
-            if (P == h) break;
+          for (~(v = i.indexOf(s || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
+            if ($ == h) break;
           } else {
-            if (P.nodeType != 8) break;
-            P.data.startsWith("$s") && (h = Cn(he = P));
+            if ($.nodeType != 8) break;
+            $.data.startsWith("$s") && (h = Cn(ve = $));
           }
         }
-        if (!he) {
+        if (!ve) {
           for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
-          he = s;
+          ve = s;
         }
-        (u = Cn(he = t.__c.__z || (t.__c.__z = he))) ? (t.__e = he, s = u) : t.__e = s, s = s && s.nextSibling;
+        (u = Cn(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(et);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), L && L.then || ti(t), C.__e(L, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || ti(t), E.__e(V, t, n);
     }
   } else s = t.__e = us(n.__e, t, n, o, r, i, a, p, c, e);
-  return (u = C.diffed) && u(t), s;
+  return (u = E.diffed) && u(t), s;
 }
 function Cn(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
@@ -173,50 +173,50 @@ function ti(e) {
 }
 function ni(e, t, n) {
   for (var o = 0; o < n.length; ) Po(n[o++], n[o++], n[o++]);
-  C.__c && C.__c(t, e), e.some(function(r) {
+  E.__c && E.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
         i.call(r);
       });
     } catch (i) {
-      C.__e(i, r.__v);
+      E.__e(i, r.__v);
     }
   });
 }
 function us(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, y, _, w, M, b = n.props || Tn, k = t.props, V = t.type;
-  if (V == "svg" ? r = "http://www.w3.org/2000/svg" : V == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (u = 0; u < i.length; u++) if ((y = i[u]) && (V ? y.localName == V : y.nodeType == 3)) {
-      e = y, i[u] = null;
+  var u, d, m, f, b, y, w, x, k = n.props || Tn, _ = t.props, C = t.type;
+  if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
+      e = b, i[u] = null;
       break;
     }
   }
   if (!e) {
-    if (M = c.ownerDocument || document, !V) return M.createTextNode(k);
-    e = M.createElementNS(r, V, k.is ? k : c), s && (C.__m && C.__m(t, i), s = !1), i = null;
+    if (x = c.ownerDocument || document, !C) return x.createTextNode(_);
+    e = x.createElementNS(r, C, _.is ? _ : c), s && (E.__m && E.__m(t, i), s = !1), i = null;
   }
-  if (V) {
-    if (c = V == "template" && e.content || e, i = V == "textarea" && k.defaultValue != null ? null : i && Eo.call(c.childNodes), !s && i) for (b = {}, u = 0; u < e.attributes.length; u++) b[(y = e.attributes[u]).name] = y.value;
-    for (u in b) y = b[u], u == "dangerouslySetInnerHTML" ? m = y : u == "children" || u in k || u == "value" && "defaultValue" in k || u == "checked" && "defaultChecked" in k || Sn(e, u, null, y, r);
-    for (u in k) y = k[u], u == "children" ? f = y : u == "dangerouslySetInnerHTML" ? d = y : u == "value" ? _ = y : u == "checked" ? w = y : s && typeof y != "function" || b[u] === y || Sn(e, u, y, b[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (V == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && rs.test(V)) && (r = "http://www.w3.org/1999/xhtml"), Zr(c, Co(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(et)), s && V != "textarea" || (u = "value", V == "progress" && _ == null ? e.removeAttribute(u) : _ == null || _ === e[u] && (V != "progress" || _) || Sn(e, u, _, b[u], r), u = "checked", w != null && w != e[u] && Sn(e, u, w, b[u], r));
-  } else b === k || s && e.data == k || (e.data = k);
+  if (C) {
+    if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && Eo.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
+    for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Sn(e, u, null, b, r);
+    for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Sn(e, u, b, k[u], r);
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && rs.test(C)) && (r = "http://www.w3.org/1999/xhtml"), Zr(c, Co(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(et)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Sn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Sn(e, u, w, k[u], r));
+  } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
 function Po(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
-    C.__e(r, n);
+    E.__e(r, n);
   }
 }
 function $o(e, t, n) {
   var o, r, i, a;
-  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Po(o, null, t, e), o = e.__c) {
+  if (E.unmount && E.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Po(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (s) {
-      C.__e(s, t);
+      E.__e(s, t);
     }
     o.__P = o.__n = null;
   }
@@ -228,9 +228,9 @@ function cs(e, t, n) {
 }
 function oi(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], To(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Eo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], To(t, t.__k, o || Tn, Tn, t.namespaceURI, o ? null : t.firstChild ? Eo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ni(r, t.__k, i), t.__k.props.children = null;
 }
-C = { __e: function(e, t, n, o) {
+E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
     r.__g |= 4;
     try {
@@ -252,7 +252,7 @@ C = { __e: function(e, t, n, o) {
 }, Mn = /* @__PURE__ */ Symbol(), Xr = /(PointerCapture)$|Capture$/i, Mo = 0, xo = {}, os = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Lo, ri, fs = Object.is, Vo = 0, di = [], Io = [], j = C, ii = j.__b, ai = j.__r, si = j.diffed, li = j.__c, ui = j.unmount, ci = j.__;
+var Xt, re, Lo, ri, fs = Object.is, Vo = 0, di = [], Io = [], j = E, ii = j.__b, ai = j.__r, si = j.diffed, li = j.__c, ui = j.unmount, ci = j.__;
 function Ro(e, t) {
   j.__h && j.__h(re, e, Vo || t), Vo = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
@@ -446,7 +446,7 @@ Y.prototype.U = function(e) {
 };
 Y.prototype.subscribe = function(e) {
   var t = this;
-  return E(function() {
+  return T(function() {
     var n = t.value;
     ie(function() {
       return e(n);
@@ -610,7 +610,7 @@ bt.prototype.d = function() {
 bt.prototype.dispose = function() {
   this.d();
 };
-function E(e, t) {
+function T(e, t) {
   var n = new bt(e, t);
   try {
     n.c();
@@ -623,11 +623,11 @@ function E(e, t) {
 
 // node_modules/@preact/signals/dist/signals.module.js
 var Do, Zt, Hn, bs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, yi = [], _i = [];
-E(function() {
+T(function() {
   Do = this.N;
 })();
 function yt(e, t) {
-  C[e] = t.bind(null, C[e] || function() {
+  E[e] = t.bind(null, E[e] || function() {
   });
 }
 function Jt(e) {
@@ -650,7 +650,7 @@ function wi(e) {
       return f === 0 ? 0 : f === !0 ? "" : f || "";
     }), u = O(function() {
       return !Array.isArray(c.value) && !So(c.value);
-    }), d = E(function() {
+    }), d = T(function() {
       if (this.N = ki, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
@@ -685,7 +685,7 @@ yt("__r", function(e, t) {
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
-      return E(function() {
+      return T(function() {
         a = this;
       }, { name: i }), a.c = r, a;
     })(/* @__PURE__ */ (function(r) {
@@ -722,7 +722,7 @@ function ys(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
-  }, d: E(function() {
+  }, d: T(function() {
     this.N = ki;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
@@ -792,7 +792,7 @@ function ks() {
   });
 }
 function xs() {
-  yi.push(this) === 1 && (C.requestAnimationFrame || _s)(ks);
+  yi.push(this) === 1 && (E.requestAnimationFrame || _s)(ks);
 }
 function Ss() {
   Rn(function() {
@@ -800,14 +800,14 @@ function Ss() {
   });
 }
 function ki() {
-  _i.push(this) === 1 && (C.requestAnimationFrame || ws)(Ss);
+  _i.push(this) === 1 && (E.requestAnimationFrame || ws)(Ss);
 }
 function xi(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
   Ce(function() {
-    return E(function() {
+    return T(function() {
       if (this.N = xs, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
@@ -823,7 +823,7 @@ function ue(e, t) {
   } catch {
   }
   let o = g(n);
-  return E(() => {
+  return T(() => {
     let r = JSON.stringify(o.value);
     try {
       localStorage.setItem(Si + e, r);
@@ -831,7 +831,7 @@ function ue(e, t) {
     }
   }), o;
 }
-var Fo = ue("theme", "dark"), No = ue("house-lights", 1), Kn = ue("hands", "default"), qo = ue("walking", "walk"), jo = ue("panels", !0), _t = ue("listing", "faders"), On = ue("travel", "square"), wt = ue("candles", "lx"), Uo = ue("single-keys", !0), Wo = ue("lamp-marks", !0), Ms = ue("maintenance", 1), je = ue("fine", !1), Bo = ue("fade", 1), Cs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ve = ue("look-only", Cs);
+var Fo = ue("theme", "dark"), No = ue("house-lights", 1), Kn = ue("hands", "default"), qo = ue("walking", "walk"), jo = ue("panels", !0), _t = ue("listing", "faders"), On = ue("travel", "square"), wt = ue("candles", "lx"), Uo = ue("single-keys", !0), Wo = ue("lamp-marks", !0), Ms = ue("maintenance", 1), je = ue("fine", !1), Bo = ue("fade", 1), Cs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ge = ue("look-only", Cs);
 
 // src/store.ts
 var Dn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
@@ -931,10 +931,10 @@ var Ee = class {
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, x = new Ee(), D = new Ee(), ge = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Fn = new Ee(), tn = {
-  lamps: x,
+}, S = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Fn = new Ee(), tn = {
+  lamps: S,
   groups: D,
-  things: ge,
+  things: be,
   materials: xt,
   views: St,
   looks: Mt,
@@ -984,7 +984,7 @@ function He(e) {
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
 var Pi = O(() => {
-  let e = x.all();
+  let e = S.all();
   return e.length > 0 && e.every(([, t]) => He(t) === 0);
 });
 function Es(e, t) {
@@ -1153,7 +1153,7 @@ xe("hello", () => Wn = !1);
 // src/gesture.ts
 var Pt = 0, Fi = /* @__PURE__ */ new Set(), Ni = (e) => {
   Fi.add(e);
-}, ln = /* @__PURE__ */ new Set(), Bn = O(() => ve.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+}, ln = /* @__PURE__ */ new Set(), Bn = O(() => ge.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function zn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Bn.value;
 }
@@ -1219,30 +1219,30 @@ function Jo(e, t, n) {
 function Di() {
   Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
 }
-E(() => {
+T(() => {
   Ke.value, ie(() => [...ln].forEach((e) => e.followed()));
 });
-E(() => {
+T(() => {
   U.value !== "open" && [...ln].forEach((e) => e.drop());
 });
 
 // src/vec.ts
-var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], N = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], be = (e, t) => [
+var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], N = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], M = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ye = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Oe(N(e, t)), As = (e, t, n) => I(S(e, 1 - n), S(t, n));
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Oe(N(e, t)), As = (e, t, n) => I(M(e, 1 - n), M(t, n));
 function Z(e, t = [0, 0, 1]) {
   let n = Oe(e);
-  return n > 1e-12 ? S(e, 1 / n) : t;
+  return n > 1e-12 ? M(e, 1 / n) : t;
 }
 function ut(e) {
   let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
-  return Z(be(t, e));
+  return Z(ye(t, e));
 }
 function un(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return I(I(S(e, o), S(be(t, e), r)), S(t, q(t, e) * (1 - o)));
+  return I(I(M(e, o), M(ye(t, e), r)), M(t, q(t, e) * (1 - o)));
 }
 function Lt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
@@ -1256,7 +1256,7 @@ var Be = ([e, t]) => As(e, t, 0.5);
 // src/camera.ts
 var Zo = Math.PI / 180, Gn = 89 * Zo;
 function Vt(e, t, n) {
-  let o = Z(N(e.target, e.eye), [0, 0, -1]), r = Z(be(o, e.up), ut(o)), i = be(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * Zo * 0.5) / n;
+  let o = Z(N(e.target, e.eye), [0, 0, -1]), r = Z(ye(o, e.up), ut(o)), i = ye(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * Zo * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
 function cn(e, t) {
@@ -1264,26 +1264,26 @@ function cn(e, t) {
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
 function Rs(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(M(e.side, o), M(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
 }
 function qi(e, t, n, o) {
-  let r = N(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = N(r, S(t, q(r, t))), p = Z(Oe(s) > 1e-6 * i ? s : N(e.up, S(t, q(e.up, t))), ut(t)), c = Math.max(-Gn, Math.min(Gn, a + o)), u = un(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
-  return { ...e, up: t, target: I(e.eye, S(d, i)) };
+  let r = N(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = N(r, M(t, q(r, t))), p = Z(Oe(s) > 1e-6 * i ? s : N(e.up, M(t, q(e.up, t))), ut(t)), c = Math.max(-Gn, Math.min(Gn, a + o)), u = un(p, t, n), d = I(M(u, Math.cos(c)), M(t, Math.sin(c)));
+  return { ...e, up: t, target: I(e.eye, M(d, i)) };
 }
 function ji(e, t, n, o, r) {
-  let i = N(e.target, e.eye), a = N(i, S(t, q(i, t))), s = Z(Oe(a) > 1e-6 ? a : e.up, ut(t)), p = Z(be(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
+  let i = N(e.target, e.eye), a = N(i, M(t, q(i, t))), s = Z(Oe(a) > 1e-6 ? a : e.up, ut(t)), p = Z(ye(s, t)), c = I(I(M(s, n), M(p, o)), M(t, r));
   return ze(e, c);
 }
 function Ui(e, t, n, o, r) {
-  let i = Z(N(e.target, e.eye)), a = Z(be(i, e.up), ut(i));
-  return ze(e, I(I(S(i, n), S(a, o)), S(t, r)));
+  let i = Z(N(e.target, e.eye)), a = Z(ye(i, e.up), ut(i));
+  return ze(e, I(I(M(i, n), M(a, o)), M(t, r)));
 }
 function ze(e, t) {
   return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
 }
 function Wi(e, t, n, o, r) {
-  let i = Z(N(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Gn, Math.min(Gn, a + r)), p = Z(be(i, t), Z(be(i, e.up), ut(i))), c = (u) => un(un(u, p, s - a), t, o);
+  let i = Z(N(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Gn, Math.min(Gn, a + r)), p = Z(ye(i, t), Z(ye(i, e.up), ut(i))), c = (u) => un(un(u, p, s - a), t, o);
   return {
     ...e,
     up: t,
@@ -1293,18 +1293,18 @@ function Wi(e, t, n, o, r) {
 }
 function Bi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return ze(e, I(S(t.side, -n * i), S(t.up, o * i)));
+  return ze(e, I(M(t.side, -n * i), M(t.up, o * i)));
 }
 function Xn(e, t, n, o, r) {
   let i = N(t, e.eye), a = Oe(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), ze(e, S(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), ze(e, M(i, s / a));
 }
 function Yn(e, t, n, o, r) {
   let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
-    S(t.side, (n - t.width / 2) * a),
-    S(t.up, (t.height / 2 - o) * a)
+    M(t.side, (n - t.width / 2) * a),
+    M(t.up, (t.height / 2 - o) * a)
   );
   return { ...ze(e, s), height: i };
 }
@@ -1312,25 +1312,25 @@ function zi(e, t, n = 0.4) {
   let o = Be(t), r = Math.max(De(t[0], t[1]) / 2, 0.15), i = Z(N(e.eye, e.target));
   if (e.height) {
     let s = q(N(e.eye, o), i);
-    return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
+    return { ...e, eye: I(o, M(i, s)), target: o, height: r * 3 };
   }
   let a = Math.max(1.5 * r / Math.tan(e.fov * Zo * 0.5), n + r);
-  return { ...e, eye: I(o, S(i, a)), target: o };
+  return { ...e, eye: I(o, M(i, a)), target: o };
 }
 var Hs = ["plan", "ceiling", "north", "east", "south", "west"];
 function Gi(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(be(e, t));
-  return { right: Z(be(n, e)), ahead: n };
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ye(e, t));
+  return { right: Z(ye(n, e)), ahead: n };
 }
 function Xi(e, t, n, o) {
-  let { right: r, ahead: i } = Gi(n), a = Be(t), s = (y) => Math.abs(q(N(t[1], t[0]), y)), c = {
-    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
+  let { right: r, ahead: i } = Gi(n), a = Be(t), s = (b) => Math.abs(q(N(t[1], t[0]), b)), c = {
+    plan: { forward: M(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: M(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
+    south: { forward: M(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), d = 1, m = N(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
+    west: { forward: M(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], u = s(c.forward), d = 1, m = N(a, M(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
   return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
 }
 function fn(e, t) {
@@ -1420,32 +1420,32 @@ xe("line", () => {
 });
 
 // src/select.ts
-var T = g(null), de = g(null), z = g(null), qs = g("move"), le = O(() => {
-  let e = T.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => x.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
+var P = g(null), de = g(null), z = g(null), qs = g("move"), le = O(() => {
+  let e = P.value;
+  return e?.kind === "lamp" ? e.ids.filter((t) => S.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
 function Ge(e, t, n = "only") {
-  let o = T.peek();
+  let o = P.peek();
   if (n === "only" || o?.kind !== e) {
-    T.value = { kind: e, ids: [t] };
+    P.value = { kind: e, ids: [t] };
     return;
   }
   let r = o.ids.includes(t);
   if (r && n === "add") return;
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
-  T.value = i.length ? { kind: e, ids: i } : null;
+  P.value = i.length ? { kind: e, ids: i } : null;
 }
 function Jn() {
-  T.value = null;
+  P.value = null;
 }
 function Zi(e, t, n) {
-  let o = T.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
+  let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return Ge(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
-  T.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
+  P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
 function js(e) {
-  let t = T.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? x.ids.peek() : n === "thing" ? ge.ids.peek() : D.ids.peek();
+  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? S.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   Ge(n, o[(r + e + o.length) % o.length]);
@@ -1453,11 +1453,11 @@ function js(e) {
 function ea(e, t) {
   switch (e) {
     case "lamp":
-      return x.get(t)?.name ?? `lamp ${t}`;
+      return S.get(t)?.name ?? `lamp ${t}`;
     case "group":
       return D.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return ge.get(t)?.name ?? `thing ${t}`;
+      return be.get(t)?.name ?? `thing ${t}`;
     case "material":
       return xt.get(t)?.name ?? `material ${t}`;
     default:
@@ -1471,7 +1471,7 @@ function ta(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
-    let i = x.get(e.lamp)?.group;
+    let i = S.get(e.lamp)?.group;
     i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
@@ -1479,20 +1479,20 @@ function ta(e, t) {
     return;
   }
   if (t !== "only") return Ge(n[0].kind, n[0].ids[0], t);
-  let o = T.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
-  T.value = n[(r + 1) % n.length];
+  let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
+  P.value = n[(r + 1) % n.length];
 }
 var eo = g(null);
 
 // src/navigate.ts
-var Us = 1.6, ye = g(null), oa = O(() => pe.value === "edit" && F.value.you), Ve = O(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Kt = g(null), ir = null, pn = null, or = !1, Xe = [], sr = [], ar = 0;
+var Us = 1.6, me = g(null), oa = O(() => pe.value === "edit" && F.value.you), Ve = O(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Kt = g(null), ir = null, pn = null, or = !1, Xe = [], sr = [], ar = 0;
 function Q(e, t = null) {
-  let n = ye.peek();
+  let n = me.peek();
   if (n && fn(n, e)) return;
   let o = performance.now();
-  n && (o - ar > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), sr.length = 0), ar = o, ye.value = e, Kt.value = t;
+  n && (o - ar > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), sr.length = 0), ar = o, me.value = e, Kt.value = t;
 }
-var ne = () => ye.peek();
+var ne = () => me.peek();
 function Ws() {
   ra(Xe, sr);
 }
@@ -1502,22 +1502,22 @@ function Bs() {
 function ra(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = ye.peek();
-  o && t.push(o), ar = performance.now(), ye.value = n, Kt.value = null;
+  let o = me.peek();
+  o && t.push(o), ar = performance.now(), me.value = n, Kt.value = null;
 }
-E(() => {
-  !ye.value || U.value !== "open" || !oa.value || or || (or = !0, requestAnimationFrame(() => {
+T(() => {
+  !me.value || U.value !== "open" || !oa.value || or || (or = !0, requestAnimationFrame(() => {
     or = !1;
-    let t = ye.peek();
+    let t = me.peek();
     if (!t || pn && fn(pn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
     a && (p.height = a), s && (p.near = s), K(p) && (pn = t);
   }));
 });
-E(() => {
+T(() => {
   let e = W.value;
   e && ie(() => {
-    ye.peek() && oa.peek() || (pn = e.camera, ye.value = e.camera, ir ??= e.camera);
+    me.peek() && oa.peek() || (pn = e.camera, me.value = e.camera, ir ??= e.camera);
   });
 });
 xe("hello", () => pn = null);
@@ -1531,7 +1531,7 @@ function dn(e, t) {
   let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function ft(e = ye.peek()) {
+function ft(e = me.peek()) {
   let [t, n] = _e.peek();
   return e ? Vt(e, t, n) : null;
 }
@@ -1553,7 +1553,7 @@ function ia(e, t, n) {
   if (o) {
     if (o.height) {
       let r = ft(o);
-      r && Q(ze(o, I(S(r.side, t), S(r.up, e))));
+      r && Q(ze(o, I(M(r.side, t), M(r.up, e))));
       return;
     }
     qo.peek() === "fly" || n !== 0 ? Q(Ui(o, Ve.peek(), e, t, n)) : (Q(ji(o, Ve.peek(), e, t, 0)), zs());
@@ -1565,13 +1565,13 @@ function zs() {
   if (!e || Rt || !rr) return;
   let t = Ve.peek();
   Rt = !0;
-  let n = Se("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
+  let n = Se("ray", { origin: e.eye, direction: M(t, -1) }, (o) => {
     Rt = !1, rr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
     na = q(o.point, t);
     let i = na + Us - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(ze(r, S(t, i * 0.5)));
+    Math.abs(i) > 0.01 && Q(ze(r, M(t, i * 0.5)));
   }, () => {
     Rt = !1, rr = !1;
   });
@@ -1580,14 +1580,14 @@ function zs() {
   }, 500);
 }
 function Gs() {
-  let e = T.peek();
+  let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(x.get(i)?.box, x.get(i)?.place?.position), e.kind === "thing" && n(ge.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
-      for (let a of D.get(i)?.lamps ?? []) n(x.get(a)?.box, x.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(S.get(i)?.box, S.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
+      for (let a of D.get(i)?.lamps ?? []) n(S.get(a)?.box, S.get(a)?.place?.position);
   if (!t.length) return null;
   let o = t.flatMap(Lt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
@@ -1609,14 +1609,14 @@ function Ys() {
   ur();
 }
 var Qs = O(() => {
-  let e = ye.value;
+  let e = me.value;
   if (!e?.height) return null;
   let t = Vt(e, 2, 2), n = Lt(Ht()).map((s) => q(N(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...Lt(Ht()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
 function Js(e) {
   let t = ne();
-  t && (ye.value = { ...t, near: Math.max(0, e) });
+  t && (me.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
@@ -1684,13 +1684,13 @@ function oe(e) {
 }
 
 // src/before.ts
-var mn = g(null), me = g(null), sl = g(0.5);
+var mn = g(null), he = g(null), sl = g(0.5);
 function ll() {
   let e = W.peek(), t = Ji();
   e && t && (mn.value = { picture: t, camera: e.camera });
 }
 Ni(() => {
-  me.peek() !== "wipe" && ll();
+  he.peek() !== "wipe" && ll();
 });
 function ca() {
   let e = mn.peek(), t = W.peek();
@@ -1700,10 +1700,10 @@ function ca() {
   return !1;
 }
 function hn(e) {
-  e ? me.peek() === null && ca() && (me.value = "held") : me.peek() === "held" && (me.value = null);
+  e ? he.peek() === null && ca() && (he.value = "held") : he.peek() === "held" && (he.value = null);
 }
 function ul() {
-  me.value = me.peek() === "wipe" ? null : ca() ? "wipe" : null;
+  he.value = he.peek() === "wipe" ? null : ca() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
@@ -1713,7 +1713,7 @@ function l(e, t, n, o, r, i) {
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
   var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: cl, __v: --fl, __i: -1, __u: 0 };
-  return (r || i) && (c.__source = r, c.__self = i), C.vnode && C.vnode(c), c;
+  return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
@@ -1723,8 +1723,8 @@ function ee({ part: e }) {
   return t ? l(t, {}) : null;
 }
 function da() {
-  E(() => {
-    if (fa || !(W.value ?? T.value)) return;
+  T(() => {
+    if (fa || !(W.value ?? P.value)) return;
     fa = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
@@ -1772,8 +1772,8 @@ function ha(e, t, n) {
   return i ? null : r;
 }
 function va(e, t, n) {
-  let o = ma[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (_) => ({
-    apply: (w) => Math.min(o.high, Math.max(o.low, _(w)))
+  let o = ma[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+    apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
   let s = r.toLowerCase();
@@ -1781,24 +1781,24 @@ function va(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let _ = yr(p[1].trim());
-    return !_ || _.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** _.value);
+    let y = yr(p[1].trim());
+    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let _ = yr(c[2]);
-    if (!_) return i;
-    let w = _.rest === "%" ? 0.01 : _.rest === "" ? 1 : NaN, M = _.value * w;
-    return !Number.isFinite(M) || M === 0 && /[/÷]/.test(c[1]) ? i : a((b) => /[/÷]/.test(c[1]) ? b / M : b * M);
+    let y = yr(c[2]);
+    if (!y) return i;
+    let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
+    return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
   let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ha(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let _ = ha(m, { ...ma.flux }, NaN);
-    f = _ === null || Number.isNaN(_) ? null : _ / n;
+    let y = ha(m, { ...ma.flux }, NaN);
+    f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
-  let y = f;
-  return d ? a((_) => d[1] === "-" ? _ - y : _ + y) : y < o.low || y > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => y);
+  let b = f;
+  return d ? a((y) => d[1] === "-" ? y - b : y + b) : b < o.low || b > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => b);
 }
 function B(e, t = 0) {
   if (!Number.isFinite(e)) return "–";
@@ -1881,6 +1881,7 @@ function gn(e) {
       {
         ref: o,
         id: e.id,
+        tabIndex: e.tabIndex,
         type: "text",
         inputMode: "text",
         autoComplete: "off",
@@ -1977,7 +1978,7 @@ function ba() {
       l(G, { name: "down" })
     ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
     l("button", { "aria-pressed": e.false_color !== null, onClick: hr, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": me.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("button", { "aria-pressed": he.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => ao(1), children: l(G, { name: "minus" }) }),
       l("label", { children: [
@@ -1991,11 +1992,11 @@ function ba() {
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": ve.value,
+        "aria-pressed": ge.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => ve.value = !ve.value,
-        children: l(G, { name: ve.value ? "lock" : "unlock" })
+        onClick: () => ge.value = !ge.value,
+        children: l(G, { name: ge.value ? "lock" : "unlock" })
       }
     ),
     pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
@@ -2034,8 +2035,8 @@ var Qe = g(null), xr = () => {
 function co(e, t, n) {
   fo(), Qe.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ya(n);
   let o = !0, r = 0;
-  _a = E(() => {
-    for (let [, i] of x.all()) He(i);
+  _a = T(() => {
+    for (let [, i] of S.all()) He(i);
     if (o) {
       o = !1;
       return;
@@ -2118,7 +2119,8 @@ var vl = {
   i: "unsolo",
   l: "from-lamp",
   g: "grid",
-  t: "aim-here"
+  t: "aim-here",
+  n: "place"
 }, xa = { Comma: "darker", Period: "brighter", Slash: "expose" }, Sa = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
@@ -2133,7 +2135,7 @@ function gl(e) {
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
 function bl() {
-  z.peek() ? z.value = null : Qe.peek() ? fo() : me.peek() ? me.value = null : T.peek() ? Jn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+  z.peek() ? z.value = null : Qe.peek() ? fo() : he.peek() ? he.value = null : P.peek() ? Jn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function Ma(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
@@ -2224,10 +2226,10 @@ function kl(e, t) {
 var Er = (e) => Math.min(1, On.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Tr = (e) => {
   let t = On.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, xl = (e) => (e.kind === "lamp" ? x.get(e.id) : D.get(e.id))?.level ?? 0, ho = (e) => (e.kind === "lamp" ? x.get(e.id) : D.get(e.id))?.name ?? "";
+}, xl = (e) => (e.kind === "lamp" ? S.get(e.id) : D.get(e.id))?.level ?? 0, ho = (e) => (e.kind === "lamp" ? S.get(e.id) : D.get(e.id))?.name ?? "";
 function Pr(e) {
   let t = le.peek();
-  return e.kind === "lamp" && T.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
+  return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
 function $a(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
@@ -2241,7 +2243,7 @@ function $a(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = xl(t), this.from = t.kind === "lamp" ? new Map(Pr(t).map((n) => [n, x.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new We(`${ho(t)} level`);
+    this.was = this.now = xl(t), this.from = t.kind === "lamp" ? new Map(Pr(t).map((n) => [n, S.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new We(`${ho(t)} level`);
   }
   strip;
   gesture;
@@ -2260,15 +2262,15 @@ var _n = class {
   }
 };
 function vo(e, t) {
-  let n = new Map(Pr(e).map((o) => [o, x.get(o)?.level ?? 0]));
+  let n = new Map(Pr(e).map((o) => [o, S.get(o)?.level ?? 0]));
   Jo(`level ${e.kind} ${e.id}`, `${ho(e)} level`, $a(e, t, n));
 }
 function $r(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
-    let i = x.get(r);
+    let i = S.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Ae(x.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
+  })), o = e.length === 1 ? ` ${Ae(S.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
   $e(`${Zn(e)}${o}`, { lamps: n });
 }
 function Lr(e, t) {
@@ -2362,9 +2364,9 @@ function Ia(e) {
 }
 var Rr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
 function Aa({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? x.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
+  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? S.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((b, k) => b + (x.get(k)?.flux ?? 0) * (x.get(k)?.level ?? 0), 0), u = i ? i.flux * He(i) : p.reduce((b, k) => b + (x.get(k)?.flux ?? 0) * He(x.get(k)), 0), d = T.value?.kind === e.kind && T.value.ids.includes(e.id), m = p.length > 0 && p.every((b) => ke.value.includes(b)), f = ke.value.length > 0 && !p.some((b) => ke.value.includes(b)), y = de.value?.kind === e.kind && de.value.id === e.id, _ = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${y ? "under" : ""}`, w = Bn.value, M = {
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * (S.get(C)?.level ?? 0), 0), u = i ? i.flux * He(i) : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * He(S.get(C)), 0), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = de.value?.kind === e.kind && de.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Bn.value, x = d ? 0 : -1, k = {
     begin: () => o.current = new _n(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2376,7 +2378,7 @@ function Aa({ row: e, index: t, count: n }) {
   return l(
     "div",
     {
-      class: `fader-row depth-${e.depth} ${e.kind} ${_}`,
+      class: `fader-row depth-${e.depth} ${e.kind} ${y}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
@@ -2384,10 +2386,10 @@ function Aa({ row: e, index: t, count: n }) {
       onPointerEnter: () => de.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => de.value = null,
       children: [
-        l("button", { class: "icon power", "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Vr(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Vr(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
           a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ra(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Rr(i)}` : s.name, onClick: (b) => Hr(b, e.kind, e.id), children: [
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Rr(i)}` : s.name, onClick: (_) => Hr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
@@ -2400,7 +2402,7 @@ function Aa({ row: e, index: t, count: n }) {
             l("i", { class: "swatch", style: { background: Ir(i.swatch) } }),
             Ia(i)
           ] }),
-          l("button", { class: "icon solo", "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => wr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => wr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
@@ -2412,12 +2414,12 @@ function Aa({ row: e, index: t, count: n }) {
               text: `${Ae(s.level)} %, ${Ye(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
-              on: (b) => {
-                let k = Tr(b);
-                o.current ? o.current.to(k) : vo(r, k);
+              on: (_) => {
+                let C = Tr(_);
+                o.current ? o.current.to(C) : vo(r, C);
               },
               reset: () => vo(r, 1),
-              ...M
+              ...k
             }
           ),
           l(
@@ -2430,7 +2432,8 @@ function Aa({ row: e, index: t, count: n }) {
               step: 0.01,
               disabled: w !== null,
               why: w,
-              set: (b) => i ? $r(d && le.peek().length > 1 ? le.peek() : [e.id], b) : Lr(e.id, b)
+              tabIndex: x,
+              set: (_) => i ? $r(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Lr(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2459,7 +2462,7 @@ function Kr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
 
 // src/lamps.tsx
 var go = g(""), mt = g(/* @__PURE__ */ new Set()), bo = g("group"), Oa = O(() => {
-  let e = go.value.trim().toLowerCase(), t = x.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+  let e = go.value.trim().toLowerCase(), t = S.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (bo.value !== "group" && _t.value === "sheet") {
     let s = bo.value, p = [...r];
     return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
@@ -2480,7 +2483,7 @@ var go = g(""), mt = g(/* @__PURE__ */ new Set()), bo = g("group"), Oa = O(() =>
   return i;
 }), Ka = !1;
 D.ids.subscribe((e) => {
-  Ka || !e.length || (Ka = !0, x.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  Ka || !e.length || (Ka = !0, S.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
 function Ra(e) {
   let t = new Set(mt.peek());
@@ -2498,12 +2501,12 @@ function Pl(e) {
 }
 var $l = ["add-spot", "add-point", "add-disc", "add-sphere"];
 function Da() {
-  let e = Oa.value, t = T.value?.ids[T.value.ids.length - 1], n = e.findIndex((i) => i.kind === T.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = _t.value === "sheet";
+  let e = Oa.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = _t.value === "sheet";
   return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Pl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
-        l("small", { children: B(x.ids.value.length) })
+        l("small", { children: B(S.ids.value.length) })
       ] }),
       l("span", { class: "gap" }),
       l("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
@@ -2558,7 +2561,7 @@ function Da() {
       " selected; a fader moves them in proportion",
       l("button", { onClick: () => oe("none"), children: "None" })
     ] }),
-    !e.length && x.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
+    !e.length && S.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
@@ -2575,7 +2578,7 @@ var wn = g(null), Je = g([]), kn = g(null), Dr = g(null), Or = O(() => Te.value?
     default:
       return U.value;
   }
-  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : x.ids.value.length === 0 ? "no-lamps" : Pi.value ? "all-off" : Ll.value ? "slow" : Or.value === "loading" ? "first" : Or.value;
+  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : wn.value !== null ? "broken" : kn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : S.ids.value.length === 0 ? "no-lamps" : Pi.value ? "all-off" : Ll.value ? "slow" : Or.value === "loading" ? "first" : Or.value;
 });
 xe("event", (e) => {
   switch (e.what) {
@@ -2597,7 +2600,7 @@ xe("event", (e) => {
   }
 });
 xe("refused", (e) => ae(e.why ?? "That could not be done.", "warn"));
-E(() => {
+T(() => {
   F.value.you && (kn.value = null);
 });
 
@@ -2610,7 +2613,7 @@ function _o(e, t, n) {
 }
 function Fa(e) {
   if (!e) return "";
-  let t = [], n = x.get(e.lamp)?.name, o = ge.get(e.thing)?.name, r = xt.get(e.material)?.name;
+  let t = [], n = S.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
     let i = e.luminance[0] * (wt.value === "fc" ? 0.2919 : 1);
     t.push(`${Ye(i)} ${wt.value === "fc" ? "fL" : "cd/m²"}`);
@@ -2692,11 +2695,11 @@ function Ua(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
-  }, d = (h, v, P) => {
-    let $ = Ot(h, v);
-    $ && Se("point", $, (L) => {
-      let A = L;
-      A.hit && P?.(A);
+  }, d = (h, v, $) => {
+    let L = Ot(h, v);
+    L && Se("point", L, (V) => {
+      let A = V;
+      A.hit && $?.(A);
     });
   }, m = (h) => {
     let v = ft();
@@ -2705,62 +2708,62 @@ function Ua(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, P] = u(h), $ = h.pointerType === "touch", L = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = $ ? "look" : Rl(Kn.peek(), h.button, L);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Rl(Kn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
-      y: P,
+      y: $,
       startX: v,
-      startY: P,
+      startY: $,
       moved: !1,
       motion: A,
-      touch: $,
+      touch: L,
       shift: h.shiftKey,
-      ctrl: L.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (A === "orbit" || A === "pan" || A === "dolly") && (o = Dt(), r = m(o), d(v, P, (R) => {
+      ctrl: V.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (A === "orbit" || A === "pan" || A === "dolly") && (o = Dt(), r = m(o), d(v, $, (R) => {
       o = R.point, r = m(R.point);
-    })), clearTimeout(s), $ && n.size === 1 && (s = window.setTimeout(() => {
+    })), clearTimeout(s), L && n.size === 1 && (s = window.setTimeout(() => {
       let R = n.get(h.pointerId);
       R && !R.moved && n.size === 1 && (R.moved = !0, R.motion = "none", t.menu(R.x, R.y));
-    }, 550)), n.size === 2 && (c = y()), h.button === 1 && h.preventDefault();
+    }, 550)), n.size === 2 && (c = b()), h.button === 1 && h.preventDefault();
   }
-  function y() {
+  function b() {
     let [h, v] = [...n.values()];
     return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
   }
-  function _(h) {
-    let v = n.get(h.pointerId), [P, $] = u(h);
+  function y(h) {
+    let v = n.get(h.pointerId), [$, L] = u(h);
     if (!v) {
       if (h.pointerType === "touch" || h.buttons) return;
-      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(P, $), 150);
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, L), 150);
       return;
     }
-    let [L, A] = [P - v.x, $ - v.y];
-    if (!(!v.moved && Math.hypot(P - v.startX, $ - v.startY) < Il)) {
-      if (v.moved = !0, v.x = P, v.y = $, n.size === 2 && c) {
-        let R = y();
-        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && b(R.x, R.y, c.gap / R.gap, !1), c = R;
+    let [V, A] = [$ - v.x, L - v.y];
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Il)) {
+      if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
+        let R = b();
+        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
         return;
       }
       if (z.peek() === "marquee" && v.button === 0) {
-        t.marquee([v.startX, v.startY], [P, $], !1);
+        t.marquee([v.startX, v.startY], [$, L], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          to(R * L * ja, R * A * ja);
+          to(R * V * ja, R * A * ja);
           break;
         }
         case "orbit":
-          no(o, -L * 6e-3, -A * 6e-3);
+          no(o, -V * 6e-3, -A * 6e-3);
           break;
         case "pan":
-          Ft(L, A, r);
+          Ft(V, A, r);
           break;
         case "dolly":
-          b(v.startX, v.startY, Math.exp(A * 6e-3), !1);
+          k(v.startX, v.startY, Math.exp(A * 6e-3), !1);
           break;
         case "none":
           break;
@@ -2775,54 +2778,54 @@ function Ua(e, t) {
         return;
       }
       if (v.touch) {
-        let P = performance.now(), $ = P - p < 320;
-        if (p = P, $) return t.double();
-        if (ve.peek()) return;
+        let $ = performance.now(), L = $ - p < 320;
+        if (p = $, L) return t.double();
+        if (ge.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
-        let P = v.shift ? "add" : v.ctrl ? "toggle" : "only";
-        t.click(v.x, v.y, P);
+        let $ = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, $);
       }
     }
   }
-  let M = null;
-  function b(h, v, P, $) {
-    let L = ne(), A = ft();
-    if (!L || !A) return;
-    if (L.height) return Q(Yn(L, A, h, v, P));
+  let x = null;
+  function k(h, v, $, L) {
+    let V = ne(), A = ft();
+    if (!V || !A) return;
+    if (V.height) return Q(Yn(V, A, h, v, $));
     let R = performance.now();
-    if (!M || R - M.time > 500 || Math.hypot(h - M.x, v - M.y) > 6) {
-      M = { x: h, y: v, time: R, point: null };
-      let vt = M;
+    if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
+      x = { x: h, y: v, time: R, point: null };
+      let vt = x;
       d(h, v, (Ur) => {
         vt.point = Ur.point, r = m(Ur.point);
       });
     }
-    M.time = R;
-    let [es, ts] = [h - A.width / 2, A.height / 2 - v], ns = Math.min(r, De(L.eye, Dt()) + 1), wo = (vt) => L.eye[vt] + (A.forward[vt] + A.side[vt] * es * A.pixel + A.up[vt] * ts * A.pixel) * ns, jr = M.point ?? [wo(0), wo(1), wo(2)];
-    Q(Xn(L, jr, P, Al, $)), $ && De(L.eye, jr) < 0.5 && (M = null);
+    x.time = R;
+    let [es, ts] = [h - A.width / 2, A.height / 2 - v], ns = Math.min(r, De(V.eye, Dt()) + 1), wo = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * es * A.pixel + A.up[vt] * ts * A.pixel) * ns, jr = x.point ?? [wo(0), wo(1), wo(2)];
+    Q(Xn(V, jr, $, Al, L)), L && De(V.eye, jr) < 0.5 && (x = null);
   }
-  function k(h) {
+  function _(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [P, $] = [h.deltaX * v, h.deltaY * v], [L, A] = u(h);
-    if (Kn.peek() === "trackpad" && !h.ctrlKey) return Ft(-P, -$, r);
-    let R = (h.ctrlKey ? 6 : 1) * (Math.abs($) > Math.abs(P) ? $ : P);
-    b(L, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
+    if (Kn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
+    let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
+    k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let V = (h) => h.preventDefault(), Me = () => {
+  let C = (h) => h.preventDefault(), Me = () => {
     clearTimeout(a), t.unhover();
   }, Ze = (h) => {
     !h.target.closest("[data-handle]") && z.peek() === null && t.double();
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
-  }, he = new ResizeObserver(() => {
+  }, ve = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
     _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return he.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", _), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", k, { passive: !1 }), e.addEventListener("contextmenu", V), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
-    he.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+    ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
@@ -2848,7 +2851,7 @@ var Nr = class {
     let [, , o] = cn(this.view, t), [, , r] = cn(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let u = (i - o) / (r - o), d = I(S(t, 1 - u), S(n, u));
+      let u = (i - o) / (r - o), d = I(M(t, 1 - u), M(n, u));
       o < i && (a = d), r < i && (s = d);
     }
     let [p, c] = [this.at(a), this.at(s)];
@@ -2861,7 +2864,7 @@ function qr() {
 }
 function Wa() {
   let e = ie(qr);
-  return e ? x.all().flatMap(([t, n]) => {
+  return e ? S.all().flatMap(([t, n]) => {
     let o = Ba(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
@@ -2906,41 +2909,41 @@ function za(e) {
   let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new xn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new xn(we("g", {}, e), "grid", () => {
   }), s = new xn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
-  }), p = E(() => {
+  }), p = T(() => {
     let u = qr();
     if (!u) return;
-    let d = T.value, m = de.value, f = "", y = "", _ = x.ids.value.length <= Ol, w = x.all().map(([b, k]) => {
-      let V = d?.kind === "lamp" ? d.ids.includes(b) : d?.kind === "group" && d.ids.includes(k.group ?? -1), Me = m?.kind === "lamp" ? m.id === b : m?.kind === "group" && m.id === k.group, Ze = Ba(k), fe = k.place?.position;
-      if (V && k.box && (y += Fr(u, k.box)), fe && k.place?.direction && (V || Me)) {
-        let v = k.place.aim ?? I(fe, k.place.direction);
+    let d = P.value, m = de.value, f = "", b = "", y = S.ids.value.length <= Ol, w = S.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Ze = Ba(_), fe = _.place?.position;
+      if (C && _.box && (b += Fr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+        let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
-      let he = V || Me || _ && Wo.value && (k.own || k.place?.position), h = `${V ? "selected" : ""} ${Me ? "under" : ""} ${He(k) ? "" : "off"}`;
-      return { id: b, at: Ze && he ? u.at(Ze) : null, label: V || Me ? k.name : "", state: h };
+      let ve = C || Me || y && Wo.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${He(_) ? "" : "off"}`;
+      return { id: k, at: Ze && ve ? u.at(Ze) : null, label: C || Me ? _.name : "", state: h };
     });
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
-      for (let b of d.ids) {
-        let k = ge.get(b)?.box;
-        k && (y += Fr(u, k));
+      for (let k of d.ids) {
+        let _ = be.get(k)?.box;
+        _ && (b += Fr(u, _));
       }
-    n.setAttribute("d", y);
-    let M = m?.kind === "lamp" ? x.get(m.id)?.box : m?.kind === "thing" ? ge.get(m.id)?.box : null;
-    o.setAttribute("d", M ? Fr(u, M) : "");
-  }), c = E(() => {
+    n.setAttribute("d", b);
+    let x = m?.kind === "lamp" ? S.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
+    o.setAttribute("d", x ? Fr(u, x) : "");
+  }), c = T(() => {
     let u = qr();
     if (!u) return;
-    let d = T.value, m = (y, _) => d?.kind === y && d.ids.includes(_) ? "selected" : "";
-    s.draw(Ct.all().map(([y, _]) => ({
-      id: y,
-      at: u.at(_.point),
-      label: _.lux ? dt(_.lux[0]) : "…",
-      state: m("meter", y)
+    let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
+    s.draw(Ct.all().map(([b, y]) => ({
+      id: b,
+      at: u.at(y.point),
+      label: y.lux ? dt(y.lux[0]) : "…",
+      state: m("meter", b)
     })));
     let f = "";
-    a.draw(Fn.all().map(([y, _]) => {
-      f += Dl(u, _);
-      let w = _.mean == null ? "…" : `${_.name} ${dt(_.mean)}`;
-      return { id: y, at: u.at(_.corner), label: w, state: m("grid", y) };
+    a.draw(Fn.all().map(([b, y]) => {
+      f += Dl(u, y);
+      let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
+      return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
   });
   return () => {
@@ -2948,7 +2951,7 @@ function za(e) {
   };
 }
 function Dl(e, t) {
-  let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+  let n = (r, i) => I(t.corner, I(M(t.u, r), M(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
       let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
@@ -2963,7 +2966,7 @@ function ce({ tone: e, children: t }) {
 }
 var Ga = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
 function Fl() {
-  let e = x.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+  let e = S.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   $e("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
@@ -3088,7 +3091,7 @@ function Xa() {
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
-      e.length === 1 ? x.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      e.length === 1 ? S.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
       l("button", { onClick: kr, children: "End solo" })
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: st.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
@@ -3112,7 +3115,7 @@ var jl = {
     if (z.peek() === null && o) return Ge(o.kind, o.id, n);
     _o(e, t, (r) => {
       if (r && (eo.value = { point: r.point, normal: r.normal }), z.peek() !== null) return sa(r);
-      ta(r, n), T.peek() && (Ie.value = "inspector");
+      ta(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3135,7 +3138,7 @@ var jl = {
   marquee(e, t, n) {
     if (Qa.value = n ? null : { from: e, to: t }, !n) return;
     let o = ql(e, t);
-    T.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
+    P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
 function Ya(e, t) {
@@ -3150,6 +3153,7 @@ function Ya(e, t) {
 }
 var Ul = {
   aim: "Click what shall be lit. Esc to leave.",
+  place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
   grid: "Click two opposite corners of the area. Esc to leave.",
   add: "Click where the lamp shall hang. Esc to leave.",
@@ -3227,20 +3231,20 @@ function Bl() {
 var ht = document.getElementById("desk");
 ht.replaceChildren();
 oi(l(Bl, {}), ht);
-E(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ve.value ? "yes" : "no";
+T(() => {
+  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ge.value ? "yes" : "no";
 });
-E(() => {
+T(() => {
   ht.dataset.panels = jo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
 });
-E(() => {
+T(() => {
   document.documentElement.dataset.theme = Fo.value, document.documentElement.style.setProperty("--house", String(No.value));
 });
-E(() => {
+T(() => {
   J.value && (document.title = `${J.value.name} – Lampyris`);
 });
 var Za = 0;
-E(() => {
+T(() => {
   let [e, t] = _e.value, n = je.value ? Math.min(devicePixelRatio, 2) : 1;
   U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(Za), Za = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
@@ -3266,6 +3270,7 @@ export {
   la as asked,
   Ws as back,
   mn as before,
+  me as camera,
   wt as candles,
   le as chosenLamps,
   kr as clearSolo,
@@ -3273,12 +3278,12 @@ export {
   Ia as colorText,
   io as command,
   hn as compareHeld,
-  me as comparing,
+  he as comparing,
   Gi as compass,
   O as computed,
   vr as copyText,
   Rr as cost,
-  be as cross,
+  ye as cross,
   Ir as css,
   Qs as cut,
   Jn as deselect,
@@ -3289,7 +3294,7 @@ export {
   el as each,
   $e as edit,
   F as editor,
-  E as effect,
+  T as effect,
   ao as exposeBy,
   Bo as fade,
   nl as falseColor,
@@ -3319,11 +3324,11 @@ export {
   l as jsx,
   l as jsxs,
   Wo as lampMarks,
-  x as lamps,
+  S as lamps,
   on as layers,
   Oe as length,
   _t as listing,
-  ve as lookOnly,
+  ge as lookOnly,
   Mt as looks,
   dt as luxText,
   Ms as maintenance,
@@ -3347,10 +3352,10 @@ export {
   il as register,
   pe as role,
   ae as say,
-  S as scale,
+  M as scale,
   J as scene,
   Ge as select,
-  T as selection,
+  P as selection,
   K as send,
   Js as setCut,
   pt as sheet,
@@ -3371,7 +3376,7 @@ export {
   N as sub,
   Vr as switchOn,
   Fo as theme,
-  ge as things,
+  be as things,
   Ye as three,
   Zn as titleOf,
   Tr as toLevel,
