@@ -1,150 +1,159 @@
 // src/later/actions.ts
 import {
-  adding as nl,
-  asked as al,
-  ask as ol,
-  back as ll,
-  candles as Yn,
-  chosenLamps as ue,
-  clearSolo as rl,
-  command as Qt,
-  compareHeld as il,
-  copyText as sl,
-  deselect as ul,
-  each as Zt,
-  edit as Jt,
-  exposeBy as Zn,
-  falseColor as cl,
-  fine as Jn,
-  forth as pl,
-  frameSelection as dl,
-  go as ml,
-  goHome as hl,
-  goInside as gl,
-  goPreset as bl,
-  handles as ea,
-  hands as fl,
-  here as vl,
-  highlight as yl,
-  history as ta,
-  lampMarks as na,
-  lamps as ut,
-  listing as aa,
-  lookOnly as oa,
-  panels as la,
-  PRESETS as kl,
-  register as wl,
-  say as st,
-  scene as xl,
-  selection as pa,
-  send as Ml,
-  sheet as _e,
-  show as Sl,
-  soloSelection as Cl,
-  spot as je,
-  startTool as Se,
-  stepSelection as ra,
-  storeLook as $l,
-  storeView as Ll,
-  theme as ia,
-  things as sa,
-  titleOf as da,
-  toggleFalse as Pl,
-  toggleWipe as Tl,
-  travel as ua,
-  views as El,
-  walking as Yt,
+  adding as ul,
+  asked as cl,
+  ask as pl,
+  back as ml,
+  candles as ea,
+  chosenLamps as pe,
+  clearSolo as dl,
+  command as Jt,
+  compareHeld as hl,
+  copyText as gl,
+  deselect as bl,
+  each as tn,
+  edit as nn,
+  exposeBy as ta,
+  falseColor as fl,
+  fine as na,
+  forth as vl,
+  frameSelection as yl,
+  go as kl,
+  goHome as wl,
+  goInside as xl,
+  goPreset as Ml,
+  handles as aa,
+  hands as Sl,
+  here as Cl,
+  highlight as $l,
+  history as oa,
+  lampMarks as la,
+  lamps as dt,
+  listing as ra,
+  lookOnly as ia,
+  panels as sa,
+  PRESETS as Ll,
+  register as Pl,
+  say as mt,
+  scene as Tl,
+  selection as ha,
+  send as El,
+  sheet as ze,
+  show as Vl,
+  soloSelection as Al,
+  spot as Xe,
+  startTool as ke,
+  stepSelection as ua,
+  storeLook as Il,
+  storeView as Rl,
+  theme as ca,
+  things as pa,
+  titleOf as ga,
+  toggleFalse as ql,
+  toggleWipe as Fl,
+  travel as ma,
+  views as Hl,
+  walking as en,
   whyNot as Q
 } from "./desk.js";
 
 // src/later/tools.ts
 import {
-  add as Ge,
-  adding as Uo,
-  chosenLamps as _o,
-  cross as jo,
-  distance as zo,
-  dot as Wt,
-  edit as Gt,
-  effect as Xo,
-  free as zn,
-  grids as Un,
-  lamps as Ke,
-  meters as _n,
-  normal as Kt,
-  onTool as Qo,
-  positionOf as Yo,
-  say as Bt,
-  scale as fe,
-  select as Zo,
-  step as Ut,
-  sub as _t,
-  titleOf as jt,
-  tool as Me,
-  up as Xn
+  add as Ce,
+  adding as Zo,
+  chosenLamps as jn,
+  cross as Jo,
+  distance as el,
+  dot as zt,
+  edit as it,
+  effect as tl,
+  free as Yn,
+  grids as zn,
+  lamps as $e,
+  meters as Xn,
+  normal as Xt,
+  onTool as nl,
+  positionOf as al,
+  say as st,
+  scale as ce,
+  select as ol,
+  step as Qt,
+  sub as ut,
+  titleOf as ct,
+  tool as ye,
+  up as Zn
 } from "./desk.js";
-var We = null;
-Xo(() => {
-  Me.value !== "grid" && (We = null);
+var Ke = null;
+tl(() => {
+  ye.value !== "grid" && (Ke = null);
 });
-function Jo(e) {
-  if (!e) return Bt("There is nothing at that point.", "warn");
-  switch (Me.peek()) {
+function ll(e) {
+  if (!e) return st("There is nothing at that point.", "warn");
+  switch (ye.peek()) {
     case "aim":
-      Be(_o.peek(), e.point), Me.value = null;
+      Be(jn.peek(), e.point), ye.value = null;
+      break;
+    case "place":
+      rl(jn.peek(), e), ye.value = null;
       break;
     case "meter":
-      Ue(e.point, e.normal), Me.value = null;
+      Ue(e.point, e.normal), ye.value = null;
       break;
     case "grid":
-      if (!We) {
-        We = e;
+      if (!Ke) {
+        Ke = e;
         return;
       }
-      el(We.point, e.point), We = null, Me.value = null;
+      il(Ke.point, e.point), Ke = null, ye.value = null;
       break;
     case "add":
-      tl(Uo.peek(), e), Me.value = null;
+      sl(Zo.peek(), e), ye.value = null;
       break;
   }
 }
-Qo(Jo);
+nl(ll);
 function Be(e, t) {
   let n = {};
   for (let a of e) {
-    let o = Ke.get(a)?.place;
-    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Kt(_t(t, o.position)) } });
+    let o = $e.get(a)?.place;
+    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Xt(ut(t, o.position)) } });
   }
-  if (!Object.keys(n).length) return Bt("What is selected shines into all directions: it cannot be aimed.", "warn");
-  Gt(`Aim ${jt(e)}`, { lamps: n });
+  if (!Object.keys(n).length) return st("What is selected shines into all directions: it cannot be aimed.", "warn");
+  it(`Aim ${ct(e)}`, { lamps: n });
 }
-function zt(e, t) {
+function Yt(e, t) {
   let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
     let r = o.filter((l) => !n.has(l));
-    r.length && (Zo(t, r[r.length - 1]), queueMicrotask(() => a()));
+    r.length && (ol(t, r[r.length - 1]), queueMicrotask(() => a()));
   });
   setTimeout(() => a(), 3e3);
 }
-function Ue(e, t) {
-  let n = zn(_n);
-  zt(_n, "meter"), Gt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+function rl(e, t) {
+  let n = je(e), a = n.get(e[e.length - 1]);
+  if (!a) return st("What is selected has no place.", "warn");
+  let o = ($e.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
+  it(`Put ${ct(e)} on a surface`, _e(e, ut(Ce(t.point, ce(t.normal, o)), a), n));
 }
-function Xt(e) {
+function Ue(e, t) {
+  let n = Yn(Xn);
+  Yt(Xn, "meter"), it("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+}
+function Zt(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let a = Xn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Kt(jo(a, o)), l = _t(t, e), [i, u] = [Wt(l, o), Wt(l, r)];
-  if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return Bt("An area needs two corners that lie apart.", "warn");
-  let s = Ge(e, Ge(fe(o, Math.min(i, 0)), fe(r, Math.min(u, 0))));
+function il(e, t, n = { lux: 500, uniformity: 0.6 }) {
+  let a = Zn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Xt(Jo(a, o)), l = ut(t, e), [i, u] = [zt(l, o), zt(l, r)];
+  if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return st("An area needs two corners that lie apart.", "warn");
+  let s = Ce(e, Ce(ce(o, Math.min(i, 0)), ce(r, Math.min(u, 0))));
   [i, u] = [Math.abs(i), Math.abs(u)];
-  let p = (g) => Math.max(1, Math.ceil(g / Xt(Math.max(i, u)))), c = zn(Un);
-  zt(Un, "grid"), Gt("Lay a grid", {
+  let p = (g) => Math.max(1, Math.ceil(g / Zt(Math.max(i, u)))), c = Yn(zn);
+  Yt(zn, "grid"), it("Lay a grid", {
     grids: {
       [c]: {
         name: `Area ${c + 1}`,
         corner: s,
-        u: fe(o, i),
-        v: fe(r, u),
+        u: ce(o, i),
+        v: ce(r, u),
         normal: a,
         columns: p(i),
         rows: p(u),
@@ -153,87 +162,87 @@ function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
     }
   });
 }
-var jn = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function tl(e, t) {
-  let n = Xn.peek(), a = Wt(t.normal, n), o = a > 0.7 ? Ge(t.point, fe(n, 1.2)) : Ge(t.point, fe(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? fe(n, -1) : t.normal, l = { position: o };
+var Qn = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function sl(e, t) {
+  let n = Zn.peek(), a = zt(t.normal, n), o = a > 0.7 ? Ce(t.point, ce(n, 1.2)) : Ce(t.point, ce(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, l = { position: o };
   e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
-  let i = Ke.all().filter(([, u]) => u.own).length;
-  zt(Ke, "lamp"), Ut(`Add ${jn[e]?.toLowerCase() ?? e} lamp`, {
+  let i = $e.all().filter(([, u]) => u.own).length;
+  Yt($e, "lamp"), Qt(`Add ${Qn[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${jn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
+    lamp: { name: `${Qn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
   });
 }
-function lt(e, t, n) {
-  !e.length || t < 1 || Ut(`Copy ${jt(e)}`, { do: "copy", lamps: e, count: t, step: n });
+function pt(e, t, n) {
+  !e.length || t < 1 || Qt(`Copy ${ct(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function Qn(e) {
-  e.length && Ut(`Remove ${jt(e)}`, { do: "remove", lamps: e });
+function Jn(e) {
+  e.length && Qt(`Remove ${ct(e)}`, { do: "remove", lamps: e });
 }
-function rt(e, t, n) {
+function _e(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = Ke.get(o)?.place, l = n.get(o);
+    let r = $e.get(o)?.place, l = n.get(o);
     if (!l) continue;
-    let i = Ge(l, t), u = r?.aim && zo(r.aim, i) > 1e-6 ? { direction: Kt(_t(r.aim, i)) } : {};
+    let i = Ce(l, t), u = r?.aim && el(r.aim, i) > 1e-6 ? { direction: Xt(ut(r.aim, i)) } : {};
     a[o] = { place: { position: i, ...u } };
   }
   return { lamps: a };
 }
-function it(e) {
+function je(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = Ke.get(n), o = a && Yo(a);
+    let a = $e.get(n), o = a && al(a);
     o && t.set(n, o);
   }
   return t;
 }
 
 // src/later/actions.ts
-var se = () => Q() ?? (ue.value.length ? null : "Select a lamp first.");
-function Vl() {
-  let e = ue.peek(), t = !e.some((n) => ut.get(n)?.on);
-  Jt(`${da(e)} ${t ? "on" : "off"}`, { lamps: Zt(e, { on: t }) });
+var ne = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
+function Nl() {
+  let e = pe.peek(), t = !e.some((n) => dt.get(n)?.on);
+  nn(`${ga(e)} ${t ? "on" : "off"}`, { lamps: tn(e, { on: t }) });
 }
-function Al() {
-  let e = ue.peek(), t = !e.every((n) => ut.get(n)?.parked);
-  Jt(`${t ? "Park" : "Unpark"} ${da(e)}`, { lamps: Zt(e, { parked: t }) });
+function Dl() {
+  let e = pe.peek(), t = !e.every((n) => dt.get(n)?.parked);
+  nn(`${t ? "Park" : "Unpark"} ${ga(e)}`, { lamps: tn(e, { parked: t }) });
 }
-function ca(e) {
-  let t = pa.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : sa.ids.peek().filter((a) => sa.get(a)?.hidden);
-  if (!n.length) return st(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  Jt(e ? "Hide things" : "Show hidden things", { things: Zt(n, { hidden: e }) });
+function da(e) {
+  let t = ha.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : pa.ids.peek().filter((a) => pa.get(a)?.hidden);
+  if (!n.length) return mt(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  nn(e ? "Hide things" : "Show hidden things", { things: tn(n, { hidden: e }) });
 }
-function Il() {
-  let e = ue.peek()[0], t = ut.get(e)?.place, n = vl();
-  if (!t?.position || !t.direction || !n) return st("Select a lamp that has a direction.", "warn");
+function Ol() {
+  let e = pe.peek()[0], t = dt.get(e)?.place, n = Cl();
+  if (!t?.position || !t.direction || !n) return mt("Select a lamp that has a direction.", "warn");
   let { position: a, direction: o } = t;
-  ml({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+  kl({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function Rl() {
-  ol("command", {}, (e) => {
-    sl(e.text);
+function Wl() {
+  pl("command", {}, (e) => {
+    gl(e.text);
   });
 }
-var ql = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Fl = {
+var Gl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Kl = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Hl = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: dl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: hl },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: gl },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ll },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: pl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Ll, why: Q },
-  ...kl.map((e, t) => ({
+}, Bl = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: yl },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: wl },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: xl },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ml },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: vl },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Rl, why: Q },
+  ...Ll.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Fl[e],
+    label: Kl[e],
     keys: `Shift+${t + 1}`,
-    run: () => bl(e)
+    run: () => Ml(e)
   })),
   {
     id: "walking",
@@ -241,110 +250,111 @@ var ql = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      Yt.value = Yt.peek() === "walk" ? "fly" : "walk", st(Yt.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      en.value = en.peek() === "walk" ? "fly" : "walk", mt(en.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Il, why: se },
-  { id: "next", group: "Select", label: "Next", keys: "]", run: () => ra(1) },
-  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ra(-1) },
-  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => Se("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => pa.value = { kind: "lamp", ids: ut.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: ul },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Vl, why: se },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Cl, why: () => ue.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: rl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => yl(!0), why: se },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Al, why: se },
-  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => Se("aim"), why: se },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => je.peek() && Be(ue.peek(), je.peek().point), why: se },
-  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => ea.value = "move" },
-  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => ea.value = "turn" },
-  ...ql.map(([e, t]) => ({
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Ol, why: ne },
+  { id: "next", group: "Select", label: "Next", keys: "]", run: () => ua(1) },
+  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ua(-1) },
+  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => ke("marquee") },
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => ha.value = { kind: "lamp", ids: dt.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: bl },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Nl, why: ne },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Al, why: () => pe.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: dl },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => $l(!0), why: ne },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Dl, why: ne },
+  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => ke("aim"), why: ne },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Xe.peek() && Be(pe.peek(), Xe.peek().point), why: ne },
+  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => ke("place"), why: ne },
+  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => aa.value = "move" },
+  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => aa.value = "turn" },
+  ...Gl.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
     why: Q,
     run: () => {
-      nl.value = e, Se("add");
+      ul.value = e, ke("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => lt(ue.peek(), 1, [0.5, 0, 0]), why: se },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Qn(ue.peek()), why: se },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => ca(!0), why: Q },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => ca(!1), why: Q },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => Qt({ do: "undo" }), why: () => Q() ?? (ta.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => Qt({ do: "redo" }), why: () => Q() ?? (ta.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => _e.value = "save", why: Q },
-  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => _e.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Rl },
-  { id: "share", group: "Work", label: "Share by link", run: () => _e.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Pl },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => pt(pe.peek(), 1, [0.5, 0, 0]), why: ne },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Jn(pe.peek()), why: ne },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => da(!0), why: Q },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => da(!1), why: Q },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => Jt({ do: "undo" }), why: () => Q() ?? (oa.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => Jt({ do: "redo" }), why: () => Q() ?? (oa.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => ze.value = "save", why: Q },
+  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => ze.value = "picture" },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Wl },
+  { id: "share", group: "Work", label: "Share by link", run: () => ze.value = "share" },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: ql },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = cl();
-      Sl({ false_color: { ...al(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = fl();
+      Vl({ false_color: { ...cl(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
-  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => Zn(1) },
-  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => Zn(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Ml({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => il(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Tl },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => je.peek() ? Ue(je.peek().point, je.peek().normal) : Se("meter") },
-  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => Se("meter"), why: Q },
-  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => Se("grid"), why: Q },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => Qt({ do: "reach" }), why: Q },
-  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => Yn.value = Yn.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: $l, why: Q },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => st("Press J, then the digit of the look.") },
-  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => la.value = !la.peek() },
-  { id: "listing", group: "Page", label: "Faders or sheet", run: () => aa.value = aa.peek() === "faders" ? "sheet" : "faders" },
-  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => ua.value = ua.peek() === "square" ? "linear" : "square" },
-  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => na.value = !na.peek() },
-  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => Jn.value = !Jn.peek() },
-  { id: "theme", group: "Page", label: "Light or dark", run: () => ia.value = ia.peek() === "dark" ? "light" : "dark" },
-  { id: "lock", group: "Page", label: "Look-only lock", run: () => oa.value = !oa.peek() },
+  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => ta(1) },
+  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => ta(-1) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => El({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => hl(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Fl },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Xe.peek() ? Ue(Xe.peek().point, Xe.peek().normal) : ke("meter") },
+  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => ke("meter"), why: Q },
+  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => ke("grid"), why: Q },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => Jt({ do: "reach" }), why: Q },
+  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => ea.value = ea.peek() === "lx" ? "fc" : "lx" },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Il, why: Q },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => mt("Press J, then the digit of the look.") },
+  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => sa.value = !sa.peek() },
+  { id: "listing", group: "Page", label: "Faders or sheet", run: () => ra.value = ra.peek() === "faders" ? "sheet" : "faders" },
+  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => ma.value = ma.peek() === "square" ? "linear" : "square" },
+  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => la.value = !la.peek() },
+  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => na.value = !na.peek() },
+  { id: "theme", group: "Page", label: "Light or dark", run: () => ca.value = ca.peek() === "dark" ? "light" : "dark" },
+  { id: "lock", group: "Page", label: "Look-only lock", run: () => ia.value = !ia.peek() },
   ...["default", "blender", "maya", "trackpad"].map((e) => ({
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => fl.value = e
+    run: () => Sl.value = e
   })),
-  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => _e.value = "help" },
-  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => _e.value = "palette" }
+  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => ze.value = "help" },
+  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => ze.value = "palette" }
 ];
-wl(Hl);
-function ct() {
-  return [...(xl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...El.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+Pl(Bl);
+function ht() {
+  return [...(Tl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Hl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/compare.tsx
-import { before as Nl, comparing as Dl, digits as Ol, fitted as Wl, useEffect as Gl, useRef as Kl, viewSize as Bl, wipeAt as en } from "./desk.js";
-import { Fragment as _l, jsx as tn, jsxs as jl } from "./desk.js";
-function Ul() {
-  let e = Dl.value, t = Nl.value, n = Kl(null);
-  if (Gl(() => {
+import { before as Ul, comparing as _l, digits as jl, fitted as zl, useEffect as Xl, useRef as Ql, viewSize as Yl, wipeAt as an } from "./desk.js";
+import { Fragment as Jl, jsx as on, jsxs as er } from "./desk.js";
+function Zl() {
+  let e = _l.value, t = Ul.value, n = Ql(null);
+  if (Xl(() => {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Bl.value, o = en.value, r = Wl(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+  let [a] = Yl.value, o = an.value, r = zl(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
     let p = s.currentTarget;
     if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
     else if (p.hasPointerCapture(s.pointerId)) {
       let c = p.parentElement.getBoundingClientRect();
-      en.value = Math.max(0, Math.min(1, (s.clientX - c.left) / c.width));
+      an.value = Math.max(0, Math.min(1, (s.clientX - c.left) / c.width));
     }
   }, u = (s) => {
     let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
-    p && (s.stopPropagation(), s.preventDefault(), en.value = Math.max(0, Math.min(1, o + p)));
+    p && (s.stopPropagation(), s.preventDefault(), an.value = Math.max(0, Math.min(1, o + p)));
   };
-  return jl(_l, { children: [
-    tn(
+  return er(Jl, { children: [
+    on(
       "canvas",
       {
         ref: n,
@@ -353,8 +363,8 @@ function Ul() {
         style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
       }
     ),
-    tn("span", { class: "tag left", children: "before" }),
-    e === "wipe" && tn(
+    on("span", { class: "tag left", children: "before" }),
+    e === "wipe" && on(
       "div",
       {
         class: "wipe",
@@ -365,7 +375,7 @@ function Ul() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${Ol(o * 100)} % before`,
+        "aria-valuetext": `${jl(o * 100)} % before`,
         style: { left: `${100 * o}%` },
         onPointerDown: i,
         onPointerMove: i,
@@ -377,167 +387,167 @@ function Ul() {
 
 // src/later/handles.tsx
 import {
-  add as va,
-  chosenLamps as nr,
-  computed as on,
-  editor as ar,
-  effect as or,
-  fitted as lr,
-  Gesture as rr,
-  handles as ir,
-  lamps as dt,
-  lookOnly as sr,
-  middle as ur,
-  nameOf as cr,
-  normal as pr,
-  pinhole as dr,
-  positionOf as ka,
-  role as mr,
-  selection as hr,
-  shown as gr,
-  sub as br,
-  things as mt,
-  titleOf as fr,
-  tool as vr,
-  turn as ya,
-  useEffect as yr,
-  useRef as kr,
-  viewSize as wr
+  add as wa,
+  chosenLamps as ur,
+  computed as sn,
+  editor as cr,
+  effect as pr,
+  fitted as mr,
+  Gesture as dr,
+  handles as hr,
+  lamps as bt,
+  lookOnly as gr,
+  middle as br,
+  nameOf as fr,
+  normal as vr,
+  pinhole as yr,
+  positionOf as Ma,
+  role as kr,
+  selection as wr,
+  shown as xr,
+  sub as Mr,
+  things as ft,
+  titleOf as Sr,
+  tool as Cr,
+  turn as xa,
+  useEffect as $r,
+  useRef as Lr,
+  viewSize as Pr
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as ma, ray as zl } from "./desk.js";
-import { across as Xl, add as te, cross as Ql, distance as Yl, dot as ce, length as Zl, normal as nn, scale as ne, sub as Ce } from "./desk.js";
-var Jl = "http://www.w3.org/2000/svg", an = 84, ve = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], pt = ["x", "y", "z"], ha = 0.1, er = 5 * Math.PI / 180, ga = 48;
-function fa(e, t) {
-  let n = (m, b, k) => {
-    let w = document.createElementNS(Jl, m);
+import { project as ba, ray as tr } from "./desk.js";
+import { across as nr, add as ae, cross as ar, distance as or, dot as me, length as lr, normal as ln, scale as oe, sub as Le } from "./desk.js";
+var rr = "http://www.w3.org/2000/svg", rn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], gt = ["x", "y", "z"], fa = 0.1, ir = 5 * Math.PI / 180, va = 48;
+function ka(e, t) {
+  let n = (d, b, k) => {
+    let w = document.createElementNS(rr, d);
     return w.setAttribute("class", k), b.append(w), w;
-  }, a = (m, b, k) => {
-    let w = n("g", e, `handle ${m} ${pt[b] ?? ""}`);
+  }, a = (d, b, k) => {
+    let w = n("g", e, `handle ${d} ${gt[b] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = ve.map((m, b) => a("ring", b, `ring-${pt[b]}`)), l = ve.map((m, b) => a("plane", b, `plane-${pt[b]}`)), i = ve.map((m, b) => a("arrow", b, `move-${pt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (m, b) => {
-    let [k, w, T] = ma(m.hole, b);
-    return T < 0.02 && !m.hole.parallel ? null : [m.fit.x + k * m.fit.scale, m.fit.y + w * m.fit.scale];
-  }, g = (m, b) => {
-    let k = ma(m.hole, b)[2];
-    return an / m.fit.scale * m.hole.pixel * (m.hole.parallel ? 1 : Math.max(k, 0.02));
-  }, d = (m, b, k = !1) => {
-    let w = b.filter((S) => S !== null), T = w.length < b.length || w.length < 2 ? "" : `M${w.map((S) => `${S[0].toFixed(1)} ${S[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
-    m.setAttribute("d", T);
-  }, f = (m, b, k) => {
-    m.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
-  }, v = (m, b) => m.forEach((k) => k.group.classList.toggle("gone", !b));
-  function V(m, b) {
-    let k = m.position, w = c(b, k), T = g(b, k), S = m.mode === "move";
-    v([...i, ...l, u], S && w !== null), v(r, !S && w !== null && m.turns);
-    let j = m.aim ?? (m.direction ? te(k, ne(m.direction, 3 * T)) : null);
-    if (v([s], j !== null && w !== null), !w) {
+  }, o = n("path", e, "aim-line"), r = we.map((d, b) => a("ring", b, `ring-${gt[b]}`)), l = we.map((d, b) => a("plane", b, `plane-${gt[b]}`)), i = we.map((d, b) => a("arrow", b, `move-${gt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (d, b) => {
+    let [k, w, T] = ba(d.hole, b);
+    return T < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
+  }, g = (d, b) => {
+    let k = ba(d.hole, b)[2];
+    return rn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
+  }, m = (d, b, k = !1) => {
+    let w = b.filter((C) => C !== null), T = w.length < b.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
+    d.setAttribute("d", T);
+  }, v = (d, b, k) => {
+    d.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
+  }, y = (d, b) => d.forEach((k) => k.group.classList.toggle("gone", !b));
+  function V(d, b) {
+    let k = d.position, w = c(b, k), T = g(b, k), C = d.mode === "move";
+    y([...i, ...l, u], C && w !== null), y(r, !C && w !== null && d.turns);
+    let j = d.aim ?? (d.direction ? ae(k, oe(d.direction, 3 * T)) : null);
+    if (y([s], j !== null && w !== null), !w) {
       o.setAttribute("d", "");
       return;
     }
-    ve.forEach((O, U) => {
-      let R = c(b, te(k, ne(O, T))), nt = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
-      if (i[U].group.classList.toggle("gone", !S || nt), R && S) {
-        let [be, De] = [(R[0] - w[0]) / an, (R[1] - w[1]) / an], ot = Math.hypot(be, De) || 1, [ie, Oe] = [be / ot, De / ot], Ot = [w[0] + 14 * ie, w[1] + 14 * Oe];
-        d(i[U].hit, [Ot, R]), i[U].seen.setAttribute("d", `M${Ot[0].toFixed(1)} ${Ot[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ie - 4.5 * Oe).toFixed(1)} ${(R[1] - 9 * Oe + 4.5 * ie).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ie + 4.5 * Oe).toFixed(1)} ${(R[1] - 9 * Oe - 4.5 * ie).toFixed(1)}`);
+    we.forEach((O, U) => {
+      let R = c(b, ae(k, oe(O, T))), ot = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
+      if (i[U].group.classList.toggle("gone", !C || ot), R && C) {
+        let [ve, We] = [(R[0] - w[0]) / rn, (R[1] - w[1]) / rn], rt = Math.hypot(ve, We) || 1, [ue, Ge] = [ve / rt, We / rt], jt = [w[0] + 14 * ue, w[1] + 14 * Ge];
+        m(i[U].hit, [jt, R]), i[U].seen.setAttribute("d", `M${jt[0].toFixed(1)} ${jt[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ue - 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge + 4.5 * ue).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ue + 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge - 4.5 * ue).toFixed(1)}`);
       }
-      let [He, Ne] = [ve[(U + 1) % 3], ve[(U + 2) % 3]], Z = Math.abs(ce(O, b.hole.parallel ? b.hole.forward : nn(Ce(k, b.hole.eye)))) < 0.15;
-      l[U].group.classList.toggle("gone", !S || Z);
-      let at = (be, De) => c(b, te(k, te(ne(He, be * T), ne(Ne, De * T)))), Bn = [at(0.3, 0.3), at(0.5, 0.3), at(0.5, 0.5), at(0.3, 0.5)];
-      if (d(l[U].hit, Bn, !0), d(l[U].seen, Bn, !0), !S) {
-        let be = Array.from({ length: ga + 1 }, (De, ot) => {
-          let ie = 2 * Math.PI * ot / ga;
-          return c(b, te(k, te(ne(He, Math.cos(ie) * T), ne(Ne, Math.sin(ie) * T))));
+      let [De, Oe] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, b.hole.parallel ? b.hole.forward : ln(Le(k, b.hole.eye)))) < 0.15;
+      l[U].group.classList.toggle("gone", !C || Z);
+      let lt = (ve, We) => c(b, ae(k, ae(oe(De, ve * T), oe(Oe, We * T)))), _n = [lt(0.3, 0.3), lt(0.5, 0.3), lt(0.5, 0.5), lt(0.3, 0.5)];
+      if (m(l[U].hit, _n, !0), m(l[U].seen, _n, !0), !C) {
+        let ve = Array.from({ length: va + 1 }, (We, rt) => {
+          let ue = 2 * Math.PI * rt / va;
+          return c(b, ae(k, ae(oe(De, Math.cos(ue) * T), oe(Oe, Math.sin(ue) * T))));
         });
-        d(r[U].hit, be), d(r[U].seen, be);
+        m(r[U].hit, ve), m(r[U].seen, ve);
       }
-    }), f(u.hit, w, 13), f(u.seen, w, 7);
+    }), v(u.hit, w, 13), v(u.seen, w, 7);
     let I = j && c(b, j);
-    d(o, [w, I]), f(s.hit, I, 16), s.seen.setAttribute("d", I ? `M${I[0] - 8} ${I[1]}h16M${I[0]} ${I[1] - 8}v16M${I[0] - 5} ${I[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+    m(o, [w, I]), v(s.hit, I, 16), s.seen.setAttribute("d", I ? `M${I[0] - 8} ${I[1]}h16M${I[0]} ${I[1] - 8}v16M${I[0] - 5} ${I[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let B = t.effect(() => {
-    let m = t.target.value, b = t.view.value;
-    e.classList.toggle("empty", !m || !b), m && b && V(m, b);
-  }), Wn = (m, b, k) => zl(m.hole, (b.clientX - k.left - m.fit.x) / m.fit.scale, (b.clientY - k.top - m.fit.y) / m.fit.scale);
-  function Fe(m, b, k) {
-    m.addEventListener("pointerdown", (w) => {
+    let d = t.target.value, b = t.view.value;
+    e.classList.toggle("empty", !d || !b), d && b && V(d, b);
+  }), Kn = (d, b, k) => tr(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
+  function Ne(d, b, k) {
+    d.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
       w.preventDefault(), w.stopPropagation();
       let T = t.view.peek();
       if (!T || !t.target.peek()) return;
-      let S = e.getBoundingClientRect(), j = k(T), I = t.hold(b), O = Wn(T, w, S);
+      let C = e.getBoundingClientRect(), j = k(T), I = t.hold(b), O = Kn(T, w, C);
       j(O, !1, { ...I, move: () => {
       }, turn: () => {
       }, rotate: () => {
-      } }), m.setPointerCapture(w.pointerId), m.classList.add("held");
+      } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
       let U = (Z) => {
-        p.textContent = j(Wn(T, Z, S), Z.ctrlKey || Z.metaKey, I), p.setAttribute("x", String(Z.clientX - S.left + 16)), p.setAttribute("y", String(Z.clientY - S.top - 12));
+        p.textContent = j(Kn(T, Z, C), Z.ctrlKey || Z.metaKey, I), p.setAttribute("x", String(Z.clientX - C.left + 16)), p.setAttribute("y", String(Z.clientY - C.top - 12));
       }, R = (Z) => {
-        m.removeEventListener("pointermove", U), m.removeEventListener("pointerup", nt), m.removeEventListener("pointercancel", He), removeEventListener("keydown", Ne, !0), m.classList.remove("held"), p.textContent = "", Z ? I.end() : I.cancel();
-      }, nt = () => R(!0), He = () => R(!1), Ne = (Z) => {
+        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", ot), d.removeEventListener("pointercancel", De), removeEventListener("keydown", Oe, !0), d.classList.remove("held"), p.textContent = "", Z ? I.end() : I.cancel();
+      }, ot = () => R(!0), De = () => R(!1), Oe = (Z) => {
         Z.key === "Escape" && (Z.stopPropagation(), R(!1));
       };
-      m.addEventListener("pointermove", U), m.addEventListener("pointerup", nt), m.addEventListener("pointercancel", He), addEventListener("keydown", Ne, !0);
+      d.addEventListener("pointermove", U), d.addEventListener("pointerup", ot), d.addEventListener("pointercancel", De), addEventListener("keydown", Oe, !0);
     });
   }
-  let Nt = (m, b, k) => k ? Math.round(m / b) * b : m, Dt = (m) => m.map((b) => b.toFixed(2)).join("  ") + " m";
-  ve.forEach((m, b) => {
-    Fe(i[b].group, "move", () => {
+  let Ut = (d, b, k) => k ? Math.round(d / b) * b : d, _t = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
+  we.forEach((d, b) => {
+    Ne(i[b].group, "move", () => {
       let k = t.target.peek().position, w = null;
-      return (T, S, j) => {
-        let I = tr(k, m, T);
+      return (T, C, j) => {
+        let I = sr(k, d, T);
         w ??= I;
-        let O = ne(m, Nt(I - w, ha, S));
-        return j.move(O), Dt(O);
+        let O = oe(d, Ut(I - w, fa, C));
+        return j.move(O), _t(O);
       };
-    }), Fe(l[b].group, "move", () => Gn(m)), Fe(r[b].group, "turn", () => {
+    }), Ne(l[b].group, "move", () => Bn(d)), Ne(r[b].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
-      return (T, S, j) => {
-        let I = ba(k.position, m, T), O = I && nn(Ce(I, k.position), Xl(m));
+      return (T, C, j) => {
+        let I = ya(k.position, d, T), O = I && ln(Le(I, k.position), nr(d));
         if (!O) return "";
         w.at ??= O;
-        let U = Math.atan2(ce(m, Ql(w.at, O)), ce(w.at, O)), R = Nt(U, er, S);
-        return j.rotate(m, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
+        let U = Math.atan2(me(d, ar(w.at, O)), me(w.at, O)), R = Ut(U, ir, C);
+        return j.rotate(d, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
       };
     });
-  }), Fe(u.group, "move", (m) => Gn(m.hole.forward)), Fe(s.group, "aim", (m) => {
-    let b = t.target.peek(), k = b.aim ?? te(b.position, ne(b.direction, 3 * g(m, b.position))), w = Kn(k, m.hole.forward);
-    return (T, S, j) => {
-      let I = w(T, S), O = te(k, I);
-      return Yl(O, b.position) > 1e-3 && j.turn(nn(Ce(O, b.position)), O), Dt(O);
+  }), Ne(u.group, "move", (d) => Bn(d.hole.forward)), Ne(s.group, "aim", (d) => {
+    let b = t.target.peek(), k = b.aim ?? ae(b.position, oe(b.direction, 3 * g(d, b.position))), w = Un(k, d.hole.forward);
+    return (T, C, j) => {
+      let I = w(T, C), O = ae(k, I);
+      return or(O, b.position) > 1e-3 && j.turn(ln(Le(O, b.position)), O), _t(O);
     };
   });
-  function Gn(m) {
-    let b = Kn(t.target.peek().position, m);
+  function Bn(d) {
+    let b = Un(t.target.peek().position, d);
     return (k, w, T) => {
-      let S = b(k, w);
-      return T.move(S), Dt(S);
+      let C = b(k, w);
+      return T.move(C), _t(C);
     };
   }
-  function Kn(m, b) {
+  function Un(d, b) {
     let k = null;
     return (w, T) => {
-      let S = ba(m, b, w);
-      return S ? (k ??= S, Ce(S, k).map((j) => Nt(j, ha, T))) : [0, 0, 0];
+      let C = ya(d, b, w);
+      return C ? (k ??= C, Le(C, k).map((j) => Ut(j, fa, T))) : [0, 0, 0];
     };
   }
   return { stop: B };
 }
-function tr(e, t, n) {
-  let a = Ce(e, n.origin), o = ce(t, n.direction), r = 1 - o * o;
-  return r < 1e-6 ? 0 : (o * ce(n.direction, a) - ce(t, a)) / r;
+function sr(e, t, n) {
+  let a = Le(e, n.origin), o = me(t, n.direction), r = 1 - o * o;
+  return r < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / r;
 }
-function ba(e, t, n) {
-  let a = ce(t, n.direction);
-  if (Math.abs(a) < 1e-4 * Zl(t)) return null;
-  let o = ce(Ce(e, n.origin), t) / a;
-  return o < 0 || o > 1e6 ? null : te(n.origin, ne(n.direction, o));
+function ya(e, t, n) {
+  let a = me(t, n.direction);
+  if (Math.abs(a) < 1e-4 * lr(t)) return null;
+  let o = me(Le(e, n.origin), t) / a;
+  return o < 0 || o > 1e6 ? null : ae(n.origin, oe(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as Pr } from "./desk.js";
-function xr([e, t, n, a], [o, r, l, i]) {
+import { jsx as qr } from "./desk.js";
+function Tr([e, t, n, a], [o, r, l, i]) {
   return [
     a * o + e * i + t * l - n * r,
     a * r - e * l + t * i + n * o,
@@ -545,92 +555,92 @@ function xr([e, t, n, a], [o, r, l, i]) {
     a * i - e * o - t * r - n * l
   ];
 }
-var Mr = () => !sr.value && mr.value !== "watch" && ar.value.you && vr.value !== "aim", wa = on(() => {
-  let e = hr.value;
-  if (!e || !Mr()) return null;
+var Er = () => !gr.value && kr.value !== "watch" && cr.value.you && Cr.value !== "aim", Sa = sn(() => {
+  let e = wr.value;
+  if (!e || !Er()) return null;
   if (e.kind === "thing") {
-    let n = e.ids.filter((a) => mt.get(a) && !mt.get(a)?.locked);
+    let n = e.ids.filter((a) => ft.get(a) && !ft.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = nr.value.filter((n) => ka(dt.get(n)));
+  let t = ur.value.filter((n) => Ma(bt.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
-}), xa = (e) => {
-  let t = mt.get(e);
-  return t?.place?.position ?? (t?.box ? ur(t.box) : null);
-}, Sr = on(() => {
-  let e = wa.value;
+}), Ca = (e) => {
+  let t = ft.get(e);
+  return t?.place?.position ?? (t?.box ? br(t.box) : null);
+}, Vr = sn(() => {
+  let e = Sa.value;
   if (!e) return null;
-  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? ka(dt.get(t)) : xa(t);
+  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Ma(bt.get(t)) : Ca(t);
   if (!n) return null;
-  let a = e.kind === "lamps" ? dt.get(t)?.place : null;
+  let a = e.kind === "lamps" ? bt.get(t)?.place : null;
   return {
     position: n,
     direction: a?.direction ?? null,
     aim: a?.aim ?? null,
     turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: ir.value
+    mode: hr.value
   };
-}), Cr = on(() => {
-  let e = gr.value;
-  if (wr.value, !e) return null;
+}), Ar = sn(() => {
+  let e = xr.value;
+  if (Pr.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: dr(e.camera, t, n), fit: lr(t, n) };
-}), $r = {
-  effect: or,
-  target: Sr,
-  view: Cr,
+  return { hole: yr(e.camera, t, n), fit: mr(t, n) };
+}), Ir = {
+  effect: pr,
+  target: Vr,
+  view: Ar,
   hold(e) {
-    let t = wa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? fr(n) : n.length === 1 ? cr("thing", n[0]) : `${n.length} things`, r = new rr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? it(n) : new Map(n.map((s) => [s, xa(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? dt : mt).get(s)?.place])), u = (s) => {
+    let t = Sa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? Sr(n) : n.length === 1 ? fr("thing", n[0]) : `${n.length} things`, r = new dr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? je(n) : new Map(n.map((s) => [s, Ca(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? bt : ft).get(s)?.place])), u = (s) => {
       let p = n.map((c) => [c, s(c)]).filter(([, c]) => c);
       r.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
     };
     return {
-      move: (s) => a === "lamps" ? r.set(rt(n, s, l)) : u((p) => ({ position: va(l.get(p), s) })),
+      move: (s) => a === "lamps" ? r.set(_e(n, s, l)) : u((p) => ({ position: wa(l.get(p), s) })),
       turn: (s, p) => u((c) => i.get(c)?.direction ? { direction: s, ...p ? { aim: p } : {} } : null),
       rotate: (s, p) => u((c) => {
         let g = i.get(c);
         if (g?.direction) {
-          let v = pr(ya(g.direction, s, p)), V = g.aim && g.position ? ya(br(g.aim, g.position), s, p) : null;
-          return { direction: v, ...V ? { aim: va(g.position, V) } : {} };
+          let y = vr(xa(g.direction, s, p)), V = g.aim && g.position ? xa(Mr(g.aim, g.position), s, p) : null;
+          return { direction: y, ...V ? { aim: wa(g.position, V) } : {} };
         }
-        let d = Math.sin(p / 2), f = [s[0] * d, s[1] * d, s[2] * d, Math.cos(p / 2)];
-        return { rotation: xr(f, g?.rotation ?? [0, 0, 0, 1]) };
+        let m = Math.sin(p / 2), v = [s[0] * m, s[1] * m, s[2] * m, Math.cos(p / 2)];
+        return { rotation: Tr(v, g?.rotation ?? [0, 0, 0, 1]) };
       }),
       end: () => r.end(),
       cancel: () => r.cancel()
     };
   }
 };
-function Lr() {
-  let e = kr(null);
-  return yr(() => fa(e.current, $r).stop, []), Pr("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Rr() {
+  let e = Lr(null);
+  return $r(() => ka(e.current, Ir).stop, []), qr("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/inspector.tsx
-import { act as ho, deselect as Ei, Icon as Sn, penless as Cn, selection as Vi, signal as Ai } from "./desk.js";
+import { act as vo, deselect as Fi, Icon as Ln, penless as Pn, selection as Hi, signal as Ni } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  deselect as Ca,
-  digits as Pe,
-  edit as gt,
-  grids as Rr,
-  Icon as $a,
-  length as Te,
-  luxText as Ee,
-  maintenance as ln,
-  meters as qr,
-  selection as La
+  deselect as Pa,
+  digits as Ee,
+  edit as yt,
+  grids as Wr,
+  Icon as Ta,
+  length as Ve,
+  luxText as Ae,
+  maintenance as un,
+  meters as Gr,
+  selection as Ea
 } from "./desk.js";
 
 // src/later/parts.tsx
-import { Field as Ma, Gesture as Tr, Range as Er, stroke as Vr, useRef as Ar } from "./desk.js";
-import { jsx as ae, jsxs as ht } from "./desk.js";
+import { Field as $a, Gesture as Fr, Range as Hr, stroke as Nr, useRef as Dr } from "./desk.js";
+import { jsx as le, jsxs as vt } from "./desk.js";
 function q({ title: e, note: t, children: n }) {
-  return ht("section", { class: "part", "aria-label": e, children: [
-    ht("h3", { children: [
+  return vt("section", { class: "part", "aria-label": e, children: [
+    vt("h3", { children: [
       e,
-      t && ae("small", { title: t, children: t })
+      t && le("small", { title: t, children: t })
     ] }),
     n
   ] });
@@ -639,26 +649,26 @@ function G(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
 function A(e) {
-  return ht("label", { class: "line", children: [
-    ae("span", { children: e.label }),
-    ae(Ma, { ...e, label: e.name ?? e.label })
+  return vt("label", { class: "line", children: [
+    le("span", { children: e.label }),
+    le($a, { ...e, label: e.name ?? e.label })
   ] });
 }
-function Ir(e, t) {
+function Or(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
 function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
   let i = t ?? ["X", "Y", "Z"];
-  return ht("div", { class: "line", role: "group", "aria-label": e, children: [
-    ae("span", { children: e }),
-    ae("span", { class: "triple", children: i.map((u, s) => ae(
-      Ma,
+  return vt("div", { class: "line", role: "group", "aria-label": e, children: [
+    le("span", { children: e }),
+    le("span", { class: "triple", children: i.map((u, s) => le(
+      $a,
       {
         label: `${e} ${u}`,
         quantity: n,
         value: a[s],
-        text: Ir(a[s], n),
+        text: Or(a[s], n),
         step: r,
         disabled: l,
         set: (p) => o(s, p)
@@ -667,12 +677,12 @@ function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disable
     )) })
   ] });
 }
-function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
-  let p = Ar(null), c = (d) => () => {
-    p.current?.[d](), p.current = null;
-  }, g = (d) => p.current ? p.current.set(o(d)) : Vr(e + t, t, o(d));
-  return ae(
-    Er,
+function Pe({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
+  let p = Dr(null), c = (m) => () => {
+    p.current?.[m](), p.current = null;
+  }, g = (m) => p.current ? p.current.set(o(m)) : Nr(e + t, t, o(m));
+  return le(
+    Hr,
     {
       label: e,
       value: n,
@@ -681,7 +691,7 @@ function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l
       class: i,
       gradient: u,
       disabled: s,
-      begin: () => p.current = new Tr(t),
+      begin: () => p.current = new Fr(t),
       on: g,
       end: c("end"),
       cancel: c("cancel"),
@@ -689,8 +699,8 @@ function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l
     }
   );
 }
-function Le({ value: e, label: t, set: n }) {
-  return ae("span", { class: "field name-field", children: ae(
+function Te({ value: e, label: t, set: n }) {
+  return le("span", { class: "field name-field", children: le(
     "input",
     {
       type: "text",
@@ -708,101 +718,101 @@ function Le({ value: e, label: t, set: n }) {
     }
   ) });
 }
-var oe = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
+var re = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
-import { Fragment as rn, jsx as L, jsxs as _ } from "./desk.js";
-var Fr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
-function Pa() {
-  let e = La.value?.ids[0], t = qr.get(e);
-  if (!t) return L("p", { class: "quiet empty", children: "This meter is gone." });
+import { Fragment as cn, jsx as P, jsxs as _ } from "./desk.js";
+var Kr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+function Va() {
+  let e = Ea.value?.ids[0], t = Gr.get(e);
+  if (!t) return P("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
     let { lux: r, ...l } = { ...t, ...o };
-    gt(`${t.name}: ${a}`, { meters: { [e]: l } });
+    yt(`${t.name}: ${a}`, { meters: { [e]: l } });
   };
-  return _(rn, { children: [
-    L("header", { class: "panel-head", children: L(Le, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    L("p", { class: "crumbs", children: t.lux ? `${Ee(t.lux[0] * ln.value)} ±${Ee(t.lux[1] * ln.value, !1)}` : "measuring" }),
-    L("div", { class: "scroll", children: _(q, { title: "Meter", children: [
+  return _(cn, { children: [
+    P("header", { class: "panel-head", children: P(Te, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
+    P("p", { class: "crumbs", children: t.lux ? `${Ae(t.lux[0] * un.value)} ±${Ae(t.lux[1] * un.value, !1)}` : "measuring" }),
+    P("div", { class: "scroll", children: _(q, { title: "Meter", children: [
       _("label", { class: "line", children: [
-        L("span", { children: "Measures" }),
-        L("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Fr.map(([a, o]) => L("option", { value: a, children: o }, a)) })
+        P("span", { children: "Measures" }),
+        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Kr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
       ] }),
-      L(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: oe(t.point, a, o) }) }),
-      L(A, { label: "Shall read", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
-      L(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: oe(t.normal, a, o) }) }),
+      P(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: re(t.point, a, o) }) }),
+      P(A, { label: "Shall read", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
+      P(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: re(t.normal, a, o) }) }),
       _("button", { class: "plain full", onClick: () => {
-        Ca(), gt(`Remove ${t.name}`, { meters: { [e]: null } });
+        Pa(), yt(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        L($a, { name: "bin" }),
+        P(Ta, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
   ] });
 }
-var Sa = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
-function Ta() {
-  let e = La.value?.ids[0], t = Rr.get(e);
-  if (!t) return L("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = ln.value, a = (i, u) => {
-    let { name: s, corner: p, u: c, v: g, normal: d, columns: f, rows: v, target: V } = { ...t, ...u };
-    gt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: d, columns: f, rows: v, target: V } } });
+var La = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
+function Aa() {
+  let e = Ea.value?.ids[0], t = Wr.get(e);
+  if (!t) return P("p", { class: "quiet empty", children: "This grid is gone." });
+  let n = un.value, a = (i, u) => {
+    let { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: V } = { ...t, ...u };
+    yt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: V } } });
   }, o = () => {
-    let i = Xt(Math.max(Te(t.u), Te(t.v)));
-    a("standard spacing", { columns: Math.max(1, Math.ceil(Te(t.u) / i)), rows: Math.max(1, Math.ceil(Te(t.v) / i)) });
-  }, r = (i, u, s) => _(rn, { children: [
-    L("dt", { children: i }),
-    L("dd", { children: u == null ? "…" : s(u) })
+    let i = Zt(Math.max(Ve(t.u), Ve(t.v)));
+    a("standard spacing", { columns: Math.max(1, Math.ceil(Ve(t.u) / i)), rows: Math.max(1, Math.ceil(Ve(t.v) / i)) });
+  }, r = (i, u, s) => _(cn, { children: [
+    P("dt", { children: i }),
+    P("dd", { children: u == null ? "…" : s(u) })
   ] }), l = t.target ?? { lux: 500, uniformity: 0.6 };
-  return _(rn, { children: [
-    L("header", { class: "panel-head", children: L(Le, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
+  return _(cn, { children: [
+    P("header", { class: "panel-head", children: P(Te, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
     _("p", { class: "crumbs", children: [
-      Pe(Te(t.u), 2),
+      Ee(Ve(t.u), 2),
       " × ",
-      Pe(Te(t.v), 2),
+      Ee(Ve(t.v), 2),
       " m, ",
-      Pe(t.columns * t.rows),
+      Ee(t.columns * t.rows),
       " points"
     ] }),
     _("div", { class: "scroll", children: [
-      L(q, { title: "Figures", note: n === 1 ? "new" : `× ${Pe(n, 2)}`, children: _("dl", { class: "figures", children: [
-        r("Ē", t.mean, (i) => Ee(i * n)),
-        r("E min", t.min, (i) => Ee(i * n)),
-        r("E max", t.max, (i) => Ee(i * n)),
-        r("U₀ = min / mean", t.uniformity, (i) => Pe(i, 2)),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Pe(i, 2)),
-        r("± of Ē", t.error, (i) => Ee(i * n))
+      P(q, { title: "Figures", note: n === 1 ? "new" : `× ${Ee(n, 2)}`, children: _("dl", { class: "figures", children: [
+        r("Ē", t.mean, (i) => Ae(i * n)),
+        r("E min", t.min, (i) => Ae(i * n)),
+        r("E max", t.max, (i) => Ae(i * n)),
+        r("U₀ = min / mean", t.uniformity, (i) => Ee(i, 2)),
+        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ee(i, 2)),
+        r("± of Ē", t.error, (i) => Ae(i * n))
       ] }) }),
       _(q, { title: "Target", children: [
         _("label", { class: "line", children: [
-          L("span", { children: "Class" }),
+          P("span", { children: "Class" }),
           _("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
-            let u = Sa[Number(i.currentTarget.value)];
+            let u = La[Number(i.currentTarget.value)];
             a("target", { target: u ? { lux: u[1], uniformity: u[2] } : null });
           }, children: [
-            L("option", { value: "", children: t.target ? "choose…" : "none" }),
-            Sa.map(([i, u, s], p) => _("option", { value: p, children: [
+            P("option", { value: "", children: t.target ? "choose…" : "none" }),
+            La.map(([i, u, s], p) => _("option", { value: p, children: [
               i,
               ": ",
               u,
               " lx, U₀ ",
               s
             ] }, i)),
-            L("option", { value: "-1", children: "no target" })
+            P("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        L(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
-        L(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
+        P(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
+        P(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
       ] }),
       _(q, { title: "Area", children: [
-        L(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: oe(t.corner, i, u) }) }),
-        L(A, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
-        L(A, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
-        L("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: o, children: "Spacing of the standard" }),
+        P(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: re(t.corner, i, u) }) }),
+        P(A, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
+        P(A, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
+        P("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: o, children: "Spacing of the standard" }),
         _("button", { class: "plain full", onClick: () => {
-          Ca(), gt(`Remove ${t.name}`, { grids: { [e]: null } });
+          Pa(), yt(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          L($a, { name: "bin" }),
+          P(Ta, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -812,57 +822,57 @@ function Ta() {
 
 // src/later/lamp.tsx
 import {
-  act as ke,
-  chosenLamps as Qr,
-  dot as dn,
-  edit as vt,
-  format as Oa,
-  groups as yt,
-  handles as bt,
-  Icon as Ae,
-  lamps as bn,
-  layers as Yr,
-  normal as Wa,
-  output as Ga,
-  percent as gn,
-  positionOf as Ra,
-  selection as mn,
-  signal as Ka,
-  spot as Zr,
-  sub as qa,
-  titleOf as fn,
-  tool as Jr,
-  toLevel as Fa,
-  toTravel as ei,
-  typeLevel as hn,
-  up as ti,
-  Fade as ni,
-  Field as ai,
-  wantLevel as Ha,
-  compass as Ba,
-  add as kt,
-  scale as Ie,
-  length as oi,
-  Range as li,
-  strokeLevel as Na,
-  useRef as ri
+  act as he,
+  chosenLamps as ai,
+  dot as gn,
+  edit as xt,
+  format as Ka,
+  groups as Mt,
+  handles as kt,
+  Icon as Re,
+  lamps as yn,
+  layers as oi,
+  normal as Ba,
+  output as Ua,
+  percent as vn,
+  positionOf as Ha,
+  selection as bn,
+  signal as _a,
+  spot as li,
+  sub as Na,
+  titleOf as kn,
+  tool as ja,
+  toLevel as Da,
+  toTravel as ri,
+  typeLevel as fn,
+  up as ii,
+  Fade as si,
+  Field as ui,
+  wantLevel as Oa,
+  compass as za,
+  add as St,
+  scale as qe,
+  length as ci,
+  Range as pi,
+  strokeLevel as Wa,
+  useRef as mi
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as Or,
-  digits as Va,
-  edit as Wr,
-  fromHex as Gr,
-  hex as Kr,
-  lamps as Aa,
-  mired as ye,
-  titleOf as Br
+  chosenLamps as jr,
+  digits as Ra,
+  edit as zr,
+  fromHex as Xr,
+  hex as Qr,
+  lamps as qa,
+  mired as xe,
+  titleOf as Yr
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Hr, mired as sn } from "./desk.js";
-function Nr(e, t) {
+import { css as Br, mired as pn } from "./desk.js";
+function Ur(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
@@ -870,47 +880,47 @@ function Nr(e, t) {
     0.0556434 * n - 0.2040259 + 1.0572252 * a
   ].map((r) => Math.max(0, r));
 }
-function Dr(e) {
+function _r(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
-function Ea(e, t, n = 9) {
+function Ia(e, t, n = 9) {
   return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = sn(e) + (sn(t) - sn(e)) * r / (n - 1);
-    return Hr(Nr(...Dr(1e6 / l)));
+    let l = pn(e) + (pn(t) - pn(e)) * r / (n - 1);
+    return Br(Ur(..._r(1e6 / l)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as cn, jsx as N, jsxs as pe } from "./desk.js";
-var ze = 1800, pn = 1e4, Ur = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], _r = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], jr = Ea(ze, pn), un = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Aa.get(n).color) }]))
-}), zr = (e) => {
-  let t = 1e6 / (ye(ze) + (ye(pn) - ye(ze)) * e);
+import { Fragment as dn, jsx as N, jsxs as de } from "./desk.js";
+var Qe = 1800, hn = 1e4, Zr = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Jr = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], ei = Ia(Qe, hn), mn = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(qa.get(n).color) }]))
+}), ti = (e) => {
+  let t = 1e6 / (xe(Qe) + (xe(hn) - xe(Qe)) * e);
   return Math.round(t / 10) * 10;
-}, Xr = (e) => (ye(e) - ye(ze)) / (ye(pn) - ye(ze));
-function Ia() {
-  let e = Or.value, t = e.map((l) => Aa.get(l)?.color).filter((l) => l !== void 0);
+}, ni = (e) => (xe(e) - xe(Qe)) / (xe(hn) - xe(Qe));
+function Fa() {
+  let e = jr.value, t = e.map((l) => qa.get(l)?.color).filter((l) => l !== void 0);
   if (!t.length) return null;
-  let n = G(t.map((l) => l.mode)), a = t[0], o = Br(e), r = (l, i) => Wr(`${o}: ${l}`, un(e, i));
-  return pe(cn, { children: [
-    pe("div", { class: "line", children: [
+  let n = G(t.map((l) => l.mode)), a = t[0], o = Yr(e), r = (l, i) => zr(`${o}: ${l}`, mn(e, i));
+  return de(dn, { children: [
+    de("div", { class: "line", children: [
       N("span", { children: "Colour" }),
-      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: _r.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
+      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Jr.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
     ] }),
-    n === "kelvin" && pe(cn, { children: [
-      pe("div", { class: "line slide", children: [
+    n === "kelvin" && de(dn, { children: [
+      de("div", { class: "line slide", children: [
         N("span", { children: "White" }),
         N(
-          $e,
+          Pe,
           {
             label: "Colour temperature",
             name: `${o}: white`,
             class: "mired",
-            style: jr,
-            value: Xr(a.kelvin),
-            text: `${Va(a.kelvin)} kelvin`,
-            patch: (l) => un(e, () => ({ mode: "kelvin", kelvin: zr(l) }))
+            style: ei,
+            value: ni(a.kelvin),
+            text: `${Ra(a.kelvin)} kelvin`,
+            patch: (l) => mn(e, () => ({ mode: "kelvin", kelvin: ti(l) }))
           }
         )
       ] }),
@@ -925,29 +935,29 @@ function Ia() {
           set: (l) => r("white", (i) => ({ mode: "kelvin", kelvin: l(i.kelvin) }))
         }
       ),
-      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Ur.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
-      pe("div", { class: "line slide", children: [
+      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Zr.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
+      de("div", { class: "line slide", children: [
         N("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         N(
-          $e,
+          Pe,
           {
             label: "Tint, magenta to green",
             name: `${o}: tint`,
             class: "tints",
             value: (a.tint + 20) / 40,
-            text: `${Va(a.tint, 1)} thousandths`,
+            text: `${Ra(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => un(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (l) => mn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
       N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, l(i.tint))) })) })
     ] }),
-    n === "rgb" && pe(cn, { children: [
-      pe("label", { class: "line", children: [
+    n === "rgb" && de(dn, { children: [
+      de("label", { class: "line", children: [
         N("span", { children: "Colour" }),
-        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: Kr(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: Gr(l.currentTarget.value) })) })
+        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: Qr(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: Xr(l.currentTarget.value) })) })
       ] }),
       N(
         J,
@@ -961,7 +971,7 @@ function Ia() {
         }
       )
     ] }),
-    n === "xy" && pe("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
+    n === "xy" && de("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
       N("span", { children: "x, y" }),
       N("span", { class: "triple", children: [0, 1].map((l) => N(
         A,
@@ -980,239 +990,240 @@ function Ia() {
 }
 
 // src/later/lamp.tsx
-import { Fragment as vn, jsx as y, jsxs as D } from "./desk.js";
-var Ve = Ka(1), ft = Ka([1, 0, 0]), ii = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], wt = 180 / Math.PI;
-function Da(e, t) {
-  let { right: n, ahead: a } = Ba(t), o = -dn(e, t);
-  return [Math.atan2(dn(e, n), dn(e, a)) * wt, Math.asin(Math.max(-1, Math.min(1, o))) * wt];
+import { Fragment as wn, jsx as f, jsxs as D } from "./desk.js";
+var Ie = _a(1), wt = _a([1, 0, 0]), di = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Ct = 180 / Math.PI;
+function Ga(e, t) {
+  let { right: n, ahead: a } = za(t), o = -gn(e, t);
+  return [Math.atan2(gn(e, n), gn(e, a)) * Ct, Math.asin(Math.max(-1, Math.min(1, o))) * Ct];
 }
-function si(e, t, n) {
-  let { right: a, ahead: o } = Ba(n), [r, l] = [e / wt, t / wt], i = kt(Ie(a, Math.sin(r)), Ie(o, Math.cos(r)));
-  return Wa(kt(Ie(i, Math.cos(l)), Ie(n, -Math.sin(l))));
+function hi(e, t, n) {
+  let { right: a, ahead: o } = za(n), [r, l] = [e / Ct, t / Ct], i = St(qe(a, Math.sin(r)), qe(o, Math.cos(r)));
+  return Ba(St(qe(i, Math.cos(l)), qe(n, -Math.sin(l))));
 }
-function ui({ ids: e, all: t }) {
+function gi({ ids: e, all: t }) {
   let n = t.some((a) => a.place?.direction);
   return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    D("button", { "aria-pressed": Jr.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => ke("aim"), children: [
-      y(Ae, { name: "aim" }),
+    D("button", { "aria-pressed": ja.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
+      f(Re, { name: "aim" }),
       "Aim"
     ] }),
-    y("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => ke("solo"), children: y(Ae, { name: "solo" }) }),
-    y("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => ke("from-lamp"), children: y(Ae, { name: "eye" }) }),
-    y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => ke("frame"), children: y(Ae, { name: "frame" }) }),
-    y("span", { class: "gap" }),
-    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => ke("park"), children: "Park" }),
-    y("button", { class: "icon", "aria-label": `Remove ${fn(e)}`, title: "Remove (Del)", onClick: () => ke("remove"), children: y(Ae, { name: "bin" }) })
+    f("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => he("solo"), children: f(Re, { name: "solo" }) }),
+    f("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => he("from-lamp"), children: f(Re, { name: "eye" }) }),
+    f("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => he("frame"), children: f(Re, { name: "frame" }) }),
+    f("span", { class: "gap" }),
+    f("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => he("park"), children: "Park" }),
+    f("button", { class: "icon", "aria-label": `Remove ${kn(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: f(Re, { name: "bin" }) })
   ] });
 }
-function ci({ ids: e, all: t }) {
-  let n = G(t.map((l) => l.level)), a = t.reduce((l, i) => l + i.flux * Ga(i), 0), o = t.every((l) => l.free), r = e[e.length - 1];
+function bi({ ids: e, all: t }) {
+  let n = G(t.map((l) => l.level)), a = t.reduce((l, i) => l + i.flux * Ua(i), 0), o = t.every((l) => l.free), r = e[e.length - 1];
   return D(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
     D("div", { class: "line slide", children: [
-      y("span", { children: "Level" }),
-      y(pi, { id: r })
+      f("span", { children: "Level" }),
+      f(fi, { id: r })
     ] }),
     D("label", { class: "line", children: [
-      y("span", {}),
-      y(
-        ai,
+      f("span", {}),
+      f(
+        ui,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
           flux: G(t.map((l) => l.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => hn(e, l),
-          open: Ha.value,
-          opened: () => Ha.value = "",
+          set: (l) => fn(e, l),
+          open: Oa.value,
+          opened: () => Oa.value = "",
           id: "level"
         }
       )
     ] }),
-    y(
+    f(
       A,
       {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => hn(e, (i, u) => l(i * u) / u)
+        set: (l) => fn(e, (i, u) => l(i * u) / u)
       }
     ),
     D("div", { class: "line", children: [
-      y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: ii.map(([l, i]) => y("button", { "aria-label": `${i} stop`, onClick: () => hn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
+      f("span", { children: "Stops" }),
+      f("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: di.map(([l, i]) => f("button", { "aria-label": `${i} stop`, onClick: () => fn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
     ] }),
     D("p", { class: "sum", children: [
-      Oa(a, "flux"),
+      Ka(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && (yt.get(t[0].group)?.level ?? 1) !== 1 && ` (${gn(t[0].level)} % × ${gn(yt.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && (Mt.get(t[0].group)?.level ?? 1) !== 1 && ` (${vn(t[0].level)} % × ${vn(Mt.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    y(Ia, {})
+    f(Fa, {})
   ] });
 }
-function pi({ id: e }) {
-  let t = ri(null), n = bn.get(e);
+function fi({ id: e }) {
+  let t = mi(null), n = yn.get(e);
   if (!n) return null;
   let a = { kind: "lamp", id: e }, o = (r) => () => {
     t.current?.[r](), t.current = null;
   };
-  return y(
-    li,
+  return f(
+    pi,
     {
       label: "Level",
-      value: ei(n.level),
-      text: `${gn(n.level)} %, ${Oa(n.flux * Ga(n), "flux")}`,
-      begin: () => t.current = new ni(a),
-      on: (r) => t.current ? t.current.to(Fa(r)) : Na(a, Fa(r)),
+      value: ri(n.level),
+      text: `${vn(n.level)} %, ${Ka(n.flux * Ua(n), "flux")}`,
+      begin: () => t.current = new si(a),
+      on: (r) => t.current ? t.current.to(Da(r)) : Wa(a, Da(r)),
       end: o("end"),
       cancel: o("cancel"),
-      reset: () => Na(a, 1)
+      reset: () => Wa(a, 1)
     }
   );
 }
-function Xe(e, t, n) {
+function Ye(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = bn.get(o), l = n(r.place ?? {}, r);
+    let r = yn.get(o), l = n(r.place ?? {}, r);
     l && (a[o] = { place: l });
   }
-  Object.keys(a).length && vt(`${fn(e)}: ${t}`, { lamps: a });
+  Object.keys(a).length && xt(`${kn(e)}: ${t}`, { lamps: a });
 }
-function di({ ids: e, all: t }) {
+function vi({ ids: e, all: t }) {
   let n = (o) => G(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
   return !a("outer") && !a("radius") ? null : D(q, { title: "Beam", note: "re-trace", children: [
-    a("outer") && D(vn, { children: [
-      y(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Xe(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      y(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Xe(e, "beam", (r) => {
+    a("outer") && D(wn, { children: [
+      f(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Ye(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
+      f(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Ye(e, "beam", (r) => {
         if (r.outer == null) return null;
         let l = Math.max(0.2, Math.min(179, o(r.outer)));
         return { outer: l, inner: Math.min(r.inner ?? l, l) };
       }) })
     ] }),
-    a("radius") && y(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Xe(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    a("radius") && f(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Ye(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
   ] });
 }
-function mi({ ids: e, all: t }) {
-  let n = t.filter((c) => Ra(c) !== null);
+function yi({ ids: e, all: t }) {
+  let n = t.filter((c) => Ha(c) !== null);
   if (!n.length) return null;
-  let a = n.map((c) => Ra(c)), o = (c, g) => G(g.map((d) => Math.round(d[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), l = ti.value, i = r.map((c) => Da(c.place?.direction, l).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
-    let d = it(e), f = {};
-    for (let [v, V] of d) {
+  let a = n.map((c) => Ha(c)), o = (c, g) => G(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), l = ii.value, i = r.map((c) => Ga(c.place?.direction, l).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
+    let m = je(e), v = {};
+    for (let [y, V] of m) {
       let B = [0, 0, 0];
-      B[c] = g(V[c]) - V[c], Object.assign(f, rt([v], B, d).lamps);
+      B[c] = g(V[c]) - V[c], Object.assign(v, _e([y], B, m).lamps);
     }
-    vt(`Move ${fn(e)}`, { lamps: f });
-  }, p = (c, g) => Xe(e, c ? "tilt" : "pan", (d) => {
-    if (!d.direction) return null;
-    let f = Da(d.direction, l);
-    f[c] = g(f[c]);
-    let v = si(f[0], Math.max(-90, Math.min(90, f[1])), l), V = d.aim && d.position ? oi(qa(d.aim, d.position)) : 0;
-    return { direction: v, ...V && d.position ? { aim: kt(d.position, Ie(v, V)) } : {} };
+    xt(`Move ${kn(e)}`, { lamps: v });
+  }, p = (c, g) => Ye(e, c ? "tilt" : "pan", (m) => {
+    if (!m.direction) return null;
+    let v = Ga(m.direction, l);
+    v[c] = g(v[c]);
+    let y = hi(v[0], Math.max(-90, Math.min(90, v[1])), l), V = m.aim && m.position ? ci(Na(m.aim, m.position)) : 0;
+    return { direction: y, ...V && m.position ? { aim: St(m.position, qe(y, V)) } : {} };
   });
   return D(q, { title: "Place", note: "re-trace", children: [
-    y(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: s }),
-    r.length > 0 && D(vn, { children: [
-      y(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((c) => c[0])), set: (c) => p(0, c) }),
-      y(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((c) => c[1])), set: (c) => p(1, c) }),
-      y(
+    f(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: s }),
+    r.length > 0 && D(wn, { children: [
+      f(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((c) => c[0])), set: (c) => p(0, c) }),
+      f(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((c) => c[1])), set: (c) => p(1, c) }),
+      f(
         J,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
           value: u.length ? [0, 1, 2].map((c) => o(c, u)) : [NaN, NaN, NaN],
-          set: (c, g) => Xe(e, "aim", (d) => {
-            if (!d.direction || !d.position) return null;
-            let f = oe(d.aim ?? kt(d.position, Ie(d.direction, 2)), c, g);
-            return { aim: f, direction: Wa(qa(f, d.position)) };
+          set: (c, g) => Ye(e, "aim", (m) => {
+            if (!m.direction || !m.position) return null;
+            let v = re(m.aim ?? St(m.position, qe(m.direction, 2)), c, g);
+            return { aim: v, direction: Ba(Na(v, m.position)) };
           })
         }
       )
     ] }),
     D("div", { class: "line", children: [
-      y("span", { children: "Handles" }),
+      f("span", { children: "Handles" }),
       D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        y("button", { "aria-pressed": bt.value === "move", onClick: () => bt.value = "move", children: "Move" }),
-        y("button", { "aria-pressed": bt.value === "turn", onClick: () => bt.value = "turn", children: "Turn" })
+        f("button", { "aria-pressed": kt.value === "move", onClick: () => kt.value = "move", children: "Move" }),
+        f("button", { "aria-pressed": kt.value === "turn", onClick: () => kt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    r.length > 0 && Zr.value && y("button", { class: "plain full", onClick: () => ke("aim-here"), children: "Aim at the last point" })
+    f("button", { class: "plain full", "aria-pressed": ja.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
+    r.length > 0 && li.value && f("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function hi({ ids: e, all: t }) {
+function ki({ ids: e, all: t }) {
   return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(q, { title: "Copies along a line", children: [
-    y(A, { label: "How many", quantity: "number", step: 1, value: Ve.value, set: (n) => Ve.value = Math.max(1, Math.min(100, Math.round(n(Ve.value)))) }),
-    y(J, { label: "Step", quantity: "length", step: 0.05, value: ft.value, set: (n, a) => ft.value = oe(ft.value, n, a) }),
-    D("button", { class: "plain full", onClick: () => lt(e, Ve.value, ft.value), children: [
-      y(Ae, { name: "copy" }),
-      Ve.value === 1 ? "One copy" : `${Ve.value} copies`
+    f(A, { label: "How many", quantity: "number", step: 1, value: Ie.value, set: (n) => Ie.value = Math.max(1, Math.min(100, Math.round(n(Ie.value)))) }),
+    f(J, { label: "Step", quantity: "length", step: 0.05, value: wt.value, set: (n, a) => wt.value = re(wt.value, n, a) }),
+    D("button", { class: "plain full", onClick: () => pt(e, Ie.value, wt.value), children: [
+      f(Re, { name: "copy" }),
+      Ie.value === 1 ? "One copy" : `${Ie.value} copies`
     ] })
   ] });
 }
-function Ua() {
-  let e = Qr.value, t = e.map((l) => bn.get(l)).filter((l) => !!l);
-  if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && yt.get(n.group), o = mn.value?.kind === "group" ? yt.get(mn.value.ids[0]) : void 0, r = n?.layer != null ? Yr.value[n.layer] : void 0;
-  return D(vn, { children: [
-    y("header", { class: "panel-head", children: n ? y(Le, { label: "Name of the lamp", value: n.name, set: (l) => vt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? y(Le, { label: "Name of the group", value: o.name, set: (l) => vt(`Rename ${o.name}`, { groups: { [mn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
+function Xa() {
+  let e = ai.value, t = e.map((l) => yn.get(l)).filter((l) => !!l);
+  if (!t.length) return f("p", { class: "quiet empty", children: "This lamp is gone." });
+  let n = t.length === 1 ? t[0] : null, a = n && Mt.get(n.group), o = bn.value?.kind === "group" ? Mt.get(bn.value.ids[0]) : void 0, r = n?.layer != null ? oi.value[n.layer] : void 0;
+  return D(wn, { children: [
+    f("header", { class: "panel-head", children: n ? f(Te, { label: "Name of the lamp", value: n.name, set: (l) => xt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? f(Te, { label: "Name of the group", value: o.name, set: (l) => xt(`Rename ${o.name}`, { groups: { [bn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
+    f("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
     D("div", { class: "scroll", children: [
-      y(ui, { ids: e, all: t }),
-      y(ci, { ids: e, all: t }),
-      y(q, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      y(di, { ids: e, all: t }),
-      y(mi, { ids: e, all: t }),
-      y(hi, { ids: e, all: t }),
-      y("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+      f(gi, { ids: e, all: t }),
+      f(bi, { ids: e, all: t }),
+      f(q, { title: "Photometry", children: f("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      f(vi, { ids: e, all: t }),
+      f(yi, { ids: e, all: t }),
+      f(ki, { ids: e, all: t }),
+      f("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
 
 // src/later/scene.tsx
 import {
-  act as yn,
-  candles as xt,
-  command as gi,
-  digits as St,
-  edit as _a,
-  Field as bi,
-  filterOf as Qa,
-  go as fi,
-  history as vi,
-  hovered as ja,
-  Icon as Ct,
-  layers as yi,
-  lookOnly as za,
-  maintenance as Re,
-  materials as ki,
-  percent as wi,
-  scene as xi,
-  select as Ya,
-  signal as Mi,
-  singleKeys as Xa,
-  sub as Si,
-  things as Ci,
-  travel as Mt,
-  Virtual as Za
+  act as xn,
+  candles as $t,
+  command as wi,
+  digits as Pt,
+  edit as Qa,
+  Field as xi,
+  filterOf as eo,
+  go as Mi,
+  history as Si,
+  hovered as Ya,
+  Icon as Tt,
+  layers as Ci,
+  lookOnly as Za,
+  maintenance as Fe,
+  materials as $i,
+  percent as Li,
+  scene as Pi,
+  select as to,
+  signal as Ti,
+  singleKeys as Ja,
+  sub as Ei,
+  things as Vi,
+  travel as Lt,
+  Virtual as no
 } from "./desk.js";
-import { Fragment as $i, jsx as M, jsxs as E } from "./desk.js";
-function Ja() {
-  let e = xi.value;
+import { Fragment as Ai, jsx as M, jsxs as E } from "./desk.js";
+function ao() {
+  let e = Pi.value;
   if (!e) return null;
-  let t = Si(e.bounds[1], e.bounds[0]);
-  return E($i, { children: [
+  let t = Ei(e.bounds[1], e.bounds[0]);
+  return E(Ai, { children: [
     E(q, { title: "Room", children: [
       E("p", { children: [
-        t.map((n) => St(n, 2)).join(" × "),
+        t.map((n) => Pt(n, 2)).join(" × "),
         " m",
-        e.triangles ? `, ${St(e.triangles)} triangles` : ""
+        e.triangles ? `, ${Pt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => fi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Mi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
       e.warnings.length > 0 && E("details", { children: [
         E("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
@@ -1224,76 +1235,76 @@ function Ja() {
     E(q, { title: "Figures", children: [
       E("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
-        M(bi, { label: "Maintenance factor", quantity: "share", value: Re.value, step: 0.05, set: (n) => Re.value = Math.max(0.1, Math.min(1, n(Re.value))) })
+        M(xi, { label: "Maintenance factor", quantity: "share", value: Fe.value, step: 0.05, set: (n) => Fe.value = Math.max(0.1, Math.min(1, n(Fe.value))) })
       ] }),
       E("p", { class: "quiet", children: [
-        Re.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
-        Re.value === 1 && M("button", { class: "plain", onClick: () => Re.value = 0.8, children: "0.80" })
+        Fe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
+        Fe.value === 1 && M("button", { class: "plain", onClick: () => Fe.value = 0.8, children: "0.80" })
       ] }),
       E("div", { class: "line", children: [
         M("span", { children: "Unit" }),
         E("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
-          M("button", { "aria-pressed": xt.value === "lx", onClick: () => xt.value = "lx", children: "lx, cd/m²" }),
-          M("button", { "aria-pressed": xt.value === "fc", onClick: () => xt.value = "fc", children: "fc, fL" })
+          M("button", { "aria-pressed": $t.value === "lx", onClick: () => $t.value = "lx", children: "lx, cd/m²" }),
+          M("button", { "aria-pressed": $t.value === "fc", onClick: () => $t.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    M(q, { title: "Layers of light", children: M("ul", { class: "layers", children: yi.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(q, { title: "Layers of light", children: M("ul", { class: "layers", children: Ci.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
       M("span", { children: n.name || `layer ${a + 1}` }),
-      M("small", { children: n.held ? "held" : wi(n.of ? n.batches / n.of : 0) + " %" })
+      M("small", { children: n.held ? "held" : Li(n.of ? n.batches / n.of : 0) + " %" })
     ] }, a)) }) }),
     E(q, { title: "Hands", children: [
       E("div", { class: "line", children: [
         M("span", { children: "Faders" }),
         E("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
-          M("button", { "aria-pressed": Mt.value === "square", onClick: () => Mt.value = "square", children: "Square law" }),
-          M("button", { "aria-pressed": Mt.value === "linear", onClick: () => Mt.value = "linear", children: "Even" })
+          M("button", { "aria-pressed": Lt.value === "square", onClick: () => Lt.value = "square", children: "Square law" }),
+          M("button", { "aria-pressed": Lt.value === "linear", onClick: () => Lt.value = "linear", children: "Even" })
         ] })
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Xa.value, onChange: (n) => Xa.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: Ja.value, onChange: (n) => Ja.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: za.value, onChange: (n) => za.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: Za.value, onChange: (n) => Za.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var $t = Mi("");
-function eo({ label: e }) {
-  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: $t.value, onInput: (t) => $t.value = t.currentTarget.value }) });
+var Et = Ti("");
+function oo({ label: e }) {
+  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Et.value, onInput: (t) => Et.value = t.currentTarget.value }) });
 }
-function to() {
-  let e = Qa(Ci, $t.value);
+function lo() {
+  let e = eo(Vi, Et.value);
   return E("div", { class: "listing", children: [
-    M(eo, { label: "Filter things" }),
+    M(oo, { label: "Filter things" }),
     M(
-      Za,
+      no,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => ja.value = { kind: "thing", id: n }, onPointerLeave: () => ja.value = null, children: [
-            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => _a(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Ct, { name: a.hidden ? "eye-off" : "eye" }) }),
-            M("button", { class: "row-name", onClick: () => Ya("thing", n), children: M("span", { children: a.name }) }),
-            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => _a(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Ct, { name: a.locked ? "lock" : "unlock" }) })
+          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Ya.value = { kind: "thing", id: n }, onPointerLeave: () => Ya.value = null, children: [
+            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Qa(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Tt, { name: a.hidden ? "eye-off" : "eye" }) }),
+            M("button", { class: "row-name", onClick: () => to("thing", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Qa(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Tt, { name: a.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function no() {
-  let e = Qa(ki, $t.value);
+function ro() {
+  let e = eo($i, Et.value);
   return E("div", { class: "listing", children: [
-    M(eo, { label: "Filter materials" }),
+    M(oo, { label: "Filter materials" }),
     M(
-      Za,
+      no,
       {
         label: "Materials",
         count: e.length,
@@ -1301,10 +1312,10 @@ function no() {
         row: (t) => {
           let [n, a] = e[t];
           return E("div", { class: "sheet-row material", role: "listitem", children: [
-            M("button", { class: "row-name", onClick: () => Ya("material", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "row-name", onClick: () => to("material", n), children: M("span", { children: a.name }) }),
             E("small", { children: [
               a.kind,
-              a.reflectance != null ? ` · ρ ${St(a.reflectance, 2)}` : ""
+              a.reflectance != null ? ` · ρ ${Pt(a.reflectance, 2)}` : ""
             ] })
           ] }, n);
         }
@@ -1312,72 +1323,72 @@ function no() {
     )
   ] });
 }
-function ao() {
-  let e = vi.value;
+function io() {
+  let e = Si.value;
   return E(q, { title: "History", children: [
     E("p", { children: [
-      e.steps === 1 ? "One step" : `${St(e.steps)} steps`,
+      e.steps === 1 ? "One step" : `${Pt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => yn("undo"), children: [
-      M(Ct, { name: "undo" }),
+    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => xn("undo"), children: [
+      M(Tt, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => yn("redo"), children: [
-      M(Ct, { name: "redo" }),
+    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => xn("redo"), children: [
+      M(Tt, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    M("button", { class: "plain full", onClick: () => yn("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => gi({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => xn("save"), children: "Save a version with a name…" }),
+    M("button", { class: "plain full", onClick: () => wi({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as kn,
-  edit as io,
-  fromHex as Li,
-  hex as Pi,
-  Icon as oo,
-  materials as so,
-  middle as lo,
-  select as uo,
-  selection as co,
-  things as wn
+  digits as Mn,
+  edit as po,
+  fromHex as Ii,
+  hex as Ri,
+  Icon as so,
+  materials as mo,
+  middle as uo,
+  select as ho,
+  selection as go,
+  things as Sn
 } from "./desk.js";
-import { Fragment as Mn, jsx as C, jsxs as z } from "./desk.js";
-var xn = 180 / Math.PI;
-function ro(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * xn : 0;
+import { Fragment as $n, jsx as $, jsxs as z } from "./desk.js";
+var Cn = 180 / Math.PI;
+function co(e, t) {
+  return e ? 2 * Math.atan2(e[t], e[3]) * Cn : 0;
 }
-function Ti(e, t) {
-  let n = [0, 0, 0, Math.cos(t / xn / 2)];
-  return n[e] = Math.sin(t / xn / 2), n;
+function qi(e, t) {
+  let n = [0, 0, 0, Math.cos(t / Cn / 2)];
+  return n[e] = Math.sin(t / Cn / 2), n;
 }
-function po() {
-  let e = (co.value?.ids ?? []).filter((u) => wn.get(u)), t = e.map((u) => wn.get(u));
-  if (!t.length) return C("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => io(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), l = t.map((u) => u.place?.position ?? (u.box ? lo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
-  return z(Mn, { children: [
-    C("header", { class: "panel-head", children: C("h2", { children: a }) }),
+function bo() {
+  let e = (go.value?.ids ?? []).filter((u) => Sn.get(u)), t = e.map((u) => Sn.get(u));
+  if (!t.length) return $("p", { class: "quiet empty", children: "This thing is gone." });
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => po(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), l = t.map((u) => u.place?.position ?? (u.box ? uo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
+  return z($n, { children: [
+    $("header", { class: "panel-head", children: $("h2", { children: a }) }),
     i && z("p", { class: "crumbs", children: [
-      i.map((u) => kn(u, 2)).join(" × "),
+      i.map((u) => Mn(u, 2)).join(" × "),
       " m"
     ] }),
     z("div", { class: "scroll", children: [
       z("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
         z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          C(oo, { name: n.hidden ? "eye-off" : "eye" }),
+          $(so, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
         z("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
-          C(oo, { name: o ? "lock" : "unlock" }),
+          $(so, { name: o ? "lock" : "unlock" }),
           o ? "Locked" : "Lock"
         ] })
       ] }),
       z(q, { title: "Place", note: "re-trace", children: [
-        o && C("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
-        C(
+        o && $("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
+        $(
           J,
           {
             label: "Position",
@@ -1385,22 +1396,22 @@ function po() {
             step: 0.01,
             disabled: o,
             value: [0, 1, 2].map((u) => G(l.map((s) => Math.round(s[u] * 1e4) / 1e4))),
-            set: (u, s) => r("move", (p) => ({ place: { position: oe(p.place?.position ?? lo(p.box), u, s) } }))
+            set: (u, s) => r("move", (p) => ({ place: { position: re(p.place?.position ?? uo(p.box), u, s) } }))
           }
         ),
-        [0, 1, 2].map((u) => C(
+        [0, 1, 2].map((u) => $(
           A,
           {
             label: `Turn ${"XYZ"[u]}`,
             quantity: "angle",
             step: 5,
             disabled: o,
-            value: G(t.map((s) => Math.round(ro(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (p) => ({ place: { rotation: Ti(u, s(ro(p.place?.rotation, u))) } }))
+            value: G(t.map((s) => Math.round(co(s.place?.rotation, u) * 10) / 10)),
+            set: (s) => r("turn", (p) => ({ place: { rotation: qi(u, s(co(p.place?.rotation, u))) } }))
           },
           u
         )),
-        C(
+        $(
           A,
           {
             label: "Scale",
@@ -1412,123 +1423,123 @@ function po() {
           }
         )
       ] }),
-      C(q, { title: "Materials", children: C("ul", { class: "buttons", children: n.materials.map((u) => C("li", { children: C("button", { onClick: () => uo("material", u), children: so.get(u)?.name ?? `material ${u}` }) }, u)) }) })
+      $(q, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => ho("material", u), children: mo.get(u)?.name ?? `material ${u}` }) }, u)) }) })
     ] })
   ] });
 }
-function mo() {
-  let e = co.value?.ids[0], t = so.get(e);
-  if (!t) return C("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => io(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, l > 1e-4 ? p / l * s : s))), u = (s, p) => t[p] != null && z(Mn, { children: [
+function fo() {
+  let e = go.value?.ids[0], t = mo.get(e);
+  if (!t) return $("p", { class: "quiet empty", children: "This material is gone." });
+  let n = (s, p) => po(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, l > 1e-4 ? p / l * s : s))), u = (s, p) => t[p] != null && z($n, { children: [
     z("div", { class: "line slide", children: [
-      C("span", { children: s }),
-      C($e, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: kn(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
+      $("span", { children: s }),
+      $(Pe, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Mn(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
-    C(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
+    $(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
   ] });
-  return z(Mn, { children: [
-    C("header", { class: "panel-head", children: C("h2", { children: t.name }) }),
-    C("p", { class: "crumbs", children: t.kind }),
+  return z($n, { children: [
+    $("header", { class: "panel-head", children: $("h2", { children: t.name }) }),
+    $("p", { class: "crumbs", children: t.kind }),
     z("div", { class: "scroll", children: [
       z(q, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
         z("div", { class: "line slide", children: [
-          C("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          C($e, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: kn(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+          $("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
+          $(Pe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Mn(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
-        C(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
+        $(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
         z("label", { class: "line", children: [
-          C("span", { children: "Colour" }),
-          C("input", { type: "color", class: "pick", "aria-label": "Colour", value: Pi(o), onChange: (s) => n("colour", { [a]: Li(s.currentTarget.value) }) })
+          $("span", { children: "Colour" }),
+          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ri(o), onChange: (s) => n("colour", { [a]: Ii(s.currentTarget.value) }) })
         ] }),
         u("Roughness", "roughness"),
         u("Gloss", "specular")
       ] }),
-      C(q, { title: "On", children: C("ul", { class: "buttons", children: wn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => C("li", { children: C("button", { onClick: () => uo("thing", s), children: p.name }) }, s)) }) })
+      $(q, { title: "On", children: $("ul", { class: "buttons", children: Sn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => $("li", { children: $("button", { onClick: () => ho("thing", s), children: p.name }) }, s)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as go, jsx as F, jsxs as Lt } from "./desk.js";
-var Qe = ["Scene", "Things", "Materials", "History"], de = Ai("Scene");
-function Ii() {
-  let e = { Scene: Ja, Things: to, Materials: no, History: ao }[de.value];
-  return Lt(go, { children: [
+import { Fragment as yo, jsx as F, jsxs as Vt } from "./desk.js";
+var Ze = ["Scene", "Things", "Materials", "History"], ge = Ni("Scene");
+function Di() {
+  let e = { Scene: ao, Things: lo, Materials: ro, History: io }[ge.value];
+  return Vt(yo, { children: [
     F("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
       let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
-      a && (n.preventDefault(), n.stopPropagation(), de.value = Qe[(Qe.indexOf(de.value) + a + Qe.length) % Qe.length], document.getElementById(`tab-${de.value}`)?.focus());
-    }, children: Qe.map((n) => F("button", { id: `tab-${n}`, role: "tab", "aria-selected": de.value === n, "aria-controls": "tab-panel", tabIndex: de.value === n ? 0 : -1, onClick: () => de.value = n, children: n }, n)) }),
-    F("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${de.value}`, tabIndex: 0, children: F(e, {}) })
+      a && (n.preventDefault(), n.stopPropagation(), ge.value = Ze[(Ze.indexOf(ge.value) + a + Ze.length) % Ze.length], document.getElementById(`tab-${ge.value}`)?.focus());
+    }, children: Ze.map((n) => F("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
+    F("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: F(e, {}) })
   ] });
 }
-function Ri() {
-  let e = Vi.value;
-  return e ? Lt(go, { children: [
-    Lt("nav", { class: "chooser", "aria-label": "Selection", children: [
-      F("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => ho("previous"), children: F(Sn, { name: "back" }) }),
-      F("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => ho("next"), children: F(Sn, { name: "forth" }) }),
+function Oi() {
+  let e = Hi.value;
+  return e ? Vt(yo, { children: [
+    Vt("nav", { class: "chooser", "aria-label": "Selection", children: [
+      F("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => vo("previous"), children: F(Ln, { name: "back" }) }),
+      F("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => vo("next"), children: F(Ln, { name: "forth" }) }),
       F("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
       F("span", { class: "gap" }),
-      F("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Ei, children: F(Sn, { name: "close" }) })
+      F("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Fi, children: F(Ln, { name: "close" }) })
     ] }),
-    Cn.value && F("p", { class: "penless", children: Cn.value }),
-    Lt("fieldset", { class: "editing", disabled: Cn.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && F(Ua, {}),
-      e.kind === "thing" && F(po, {}),
-      e.kind === "material" && F(mo, {}),
-      e.kind === "meter" && F(Pa, {}),
-      e.kind === "grid" && F(Ta, {})
+    Pn.value && F("p", { class: "penless", children: Pn.value }),
+    Vt("fieldset", { class: "editing", disabled: Pn.value !== null, children: [
+      (e.kind === "lamp" || e.kind === "group") && F(Xa, {}),
+      e.kind === "thing" && F(bo, {}),
+      e.kind === "material" && F(fo, {}),
+      e.kind === "meter" && F(Va, {}),
+      e.kind === "grid" && F(Aa, {})
     ] })
-  ] }) : F(Ii, {});
+  ] }) : F(Di, {});
 }
 
 // src/later/legend.tsx
-import { asked as qi, candles as Fi, display as Hi, Field as Ni, show as Di, three as Oi, useRef as Wi } from "./desk.js";
-import { jsx as X, jsxs as Pt } from "./desk.js";
-var $n = [1, 2, 5];
-function Gi(e, t, n) {
+import { asked as Wi, candles as Gi, display as Ki, Field as Bi, show as Ui, three as _i, useRef as ji } from "./desk.js";
+import { jsx as X, jsxs as At } from "./desk.js";
+var Tn = [1, 2, 5];
+function zi(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * ($n.find((i) => i * r >= o) ?? 10);
+    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (Tn.find((i) => i * r >= o) ?? 10);
     for (let i = Math.ceil(e / l) * l; i <= t * 1.0001; i += l) a.push(i);
     return a;
   }
   for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of $n) {
+    for (let r of Tn) {
       let l = r * 10 ** o;
       l >= e * 0.999 && l <= t * 1.001 && a.push(l);
     }
   return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
 }
-function Ki(e, t) {
+function Xi(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
-var le = (e, t) => {
-  let n = qi({ ...e, ...t });
-  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Di({ false_color: n });
+var ie = (e, t) => {
+  let n = Wi({ ...e, ...t });
+  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Ui({ false_color: n });
 };
-function bo(e, t) {
+function ko(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
-  return $n[a] * 10 ** ((n - a) / 3);
+  return Tn[a] * 10 ** ((n - a) / 3);
 }
-function Bi() {
-  let e = Hi.value.false_color, t = Wi(null);
+function Qi() {
+  let e = Ki.value.false_color, t = ji(null);
   if (!e) return null;
-  let n = Fi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? Gi(e.low, e.high, e.scale).map((p) => [p, Ki(p, e)]), u = (p) => ({
+  let n = Gi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? zi(e.low, e.high, e.scale).map((p) => [p, Xi(p, e)]), u = (p) => ({
     onPointerDown: (c) => {
       c.currentTarget.setPointerCapture(c.pointerId), t.current = { y: c.clientY, end: p, from: e[p] };
     },
     onPointerMove: (c) => {
       let g = t.current;
-      g?.end === p && le(e, { [p]: bo(g.from, Math.round((g.y - c.clientY) / 14)) });
+      g?.end === p && ie(e, { [p]: ko(g.from, Math.round((g.y - c.clientY) / 14)) });
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
     onKeyDown: (c) => {
       let g = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[c.key];
-      g && (c.preventDefault(), c.stopPropagation(), le(e, { [p]: bo(e[p], g) }));
+      g && (c.preventDefault(), c.stopPropagation(), ie(e, { [p]: ko(e[p], g) }));
     }
-  }), s = ({ end: p }) => Pt("div", { class: "end", children: [
+  }), s = ({ end: p }) => At("div", { class: "end", children: [
     X(
       "span",
       {
@@ -1539,45 +1550,45 @@ function Bi() {
         "aria-valuenow": e[p],
         "aria-valuemin": 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${Oi(e[p] * r)} ${o}`,
+        "aria-valuetext": `${_i(e[p] * r)} ${o}`,
         ...u(p)
       }
     ),
     X(
-      Ni,
+      Bi,
       {
         label: p === "low" ? "Lower end" : "Upper end",
         quantity: "number",
         value: Number((e[p] * r).toPrecision(3)),
-        set: (c) => le(e, { [p]: c(e[p] * r) / r })
+        set: (c) => ie(e, { [p]: c(e[p] * r) / r })
       }
     )
   ] });
-  return Pt("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
-    Pt("header", { children: [
+  return At("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
+    At("header", { children: [
       X(
         "button",
         {
           "aria-label": `${o}: ${a ? "illuminance" : "luminance"}, change`,
-          onClick: () => le(e, { quantity: a ? "luminance" : "illuminance" }),
+          onClick: () => ie(e, { quantity: a ? "luminance" : "illuminance" }),
           children: o
         }
       ),
-      X("button", { "aria-pressed": e.scale === "log", onClick: () => le(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      X("button", { "aria-pressed": e.lines, onClick: () => le(e, { lines: !e.lines }), children: "lines" })
+      X("button", { "aria-pressed": e.scale === "log", onClick: () => ie(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      X("button", { "aria-pressed": e.lines, onClick: () => ie(e, { lines: !e.lines }), children: "lines" })
     ] }),
     X(s, { end: "high" }),
     X("div", { class: "scale", style: { background: l }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
     X(s, { end: "low" }),
-    Pt("footer", { children: [
-      X("button", { onClick: () => le(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-      X("button", { onClick: () => le(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
+    At("footer", { children: [
+      X("button", { onClick: () => ie(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+      X("button", { onClick: () => ie(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
       X(
         "select",
         {
           "aria-label": "Palette",
           value: e.palette,
-          onChange: (p) => le(e, { palette: p.currentTarget.value }),
+          onChange: (p) => ie(e, { palette: p.currentTarget.value }),
           children: e.palettes?.map((p) => X("option", { children: p }, p)) ?? X("option", { children: e.palette })
         }
       )
@@ -1587,93 +1598,93 @@ function Bi() {
 
 // src/later/sheets.tsx
 import {
-  allActions as Tn,
-  act as Co,
-  ask as es,
-  command as ts,
-  copyText as ns,
-  digits as as,
-  go as os,
-  hear as ls,
-  lamps as rs,
-  say as Vn,
-  select as is,
-  send as Et,
-  sheet as Ze,
-  shown as ss,
-  signal as Je,
-  useEffect as En,
-  useLayoutEffect as us,
-  useRef as At,
-  walkNames as cs,
-  whyNotTo as ps
+  allActions as An,
+  act as To,
+  ask as rs,
+  command as is,
+  copyText as ss,
+  digits as us,
+  go as cs,
+  hear as ps,
+  lamps as ms,
+  say as Rn,
+  select as ds,
+  send as Rt,
+  sheet as et,
+  shown as hs,
+  signal as tt,
+  useEffect as In,
+  useLayoutEffect as gs,
+  useRef as Ft,
+  walkNames as bs,
+  whyNotTo as fs
 } from "./desk.js";
 
 // src/later/csv.ts
-import { add as fo, grids as Ui, maintenance as _i, meters as ji, scale as vo, scene as yo } from "./desk.js";
-var zi = (e) => {
+import { add as wo, grids as Yi, maintenance as Zi, meters as Ji, scale as xo, scene as Mo } from "./desk.js";
+var es = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function Xi() {
-  let e = _i.peek(), t = [["scene", yo.peek()?.name ?? ""], ["maintenance factor", e], []];
+function ts() {
+  let e = Zi.peek(), t = [["scene", Mo.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of ji.all())
+  for (let [, n] of Ji.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of Ui.all()) {
+  for (let [, n] of Yi.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
     for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
     t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = fo(n.corner, fo(vo(n.u, (l + 0.5) / n.columns), vo(n.v, (i + 0.5) / n.rows)));
+      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = wo(n.corner, wo(xo(n.u, (l + 0.5) / n.columns), xo(n.v, (i + 0.5) / n.rows)));
       t.push([...u.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(zi).join(",")).join(`\r
+  return t.map((n) => n.map(es).join(",")).join(`\r
 `) + `\r
 `;
 }
-function Ln(e, t) {
+function En(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function ko() {
-  let e = URL.createObjectURL(new Blob([Xi()], { type: "text/csv" }));
-  Ln(`${yo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function So() {
+  let e = URL.createObjectURL(new Blob([ts()], { type: "text/csv" }));
+  En(`${Mo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Mo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Tt = new Uint8Array(512), Pn = new Uint8Array(256);
+var Lo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], It = new Uint8Array(512), Vn = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  Tt[e] = Tt[e + 255] = t, Pn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var wo = (e, t) => e && t ? Tt[Pn[e] + Pn[t]] : 0;
-function Qi(e, t) {
+  It[e] = It[e + 255] = t, Vn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var Co = (e, t) => e && t ? It[Vn[e] + Vn[t]] : 0;
+function ns(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
     let r = new Array(n.length + 1).fill(0);
     n.forEach((l, i) => {
-      r[i] ^= l, r[i + 1] ^= wo(l, Tt[o]);
+      r[i] ^= l, r[i + 1] ^= Co(l, It[o]);
     }), n = r;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let o = 0; o < e.length; o++) {
     let r = a[o];
-    r && n.forEach((l, i) => a[o + i] ^= wo(l, r));
+    r && n.forEach((l, i) => a[o + i] ^= Co(l, r));
   }
   return a.slice(e.length);
 }
-function Yi(e, t) {
-  let [n, a, o] = Mo[t - 1], r = [], l = (g, d) => {
-    for (let f = d - 1; f >= 0; f--) r.push(g >> f & 1);
+function as(e, t) {
+  let [n, a, o] = Lo[t - 1], r = [], l = (g, m) => {
+    for (let v = m - 1; v >= 0; v--) r.push(g >> v & 1);
   };
   for (l(4, 4), l(e.length, 8), e.forEach((g) => l(g, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
   let i = [];
   for (let g = 0; g < r.length; g += 8) i.push(parseInt(r.slice(g, g + 8).join(""), 2));
   for (let g = 236; i.length < n; g ^= 253) i.push(g);
-  let u = n / o, s = Array.from({ length: o }, (g, d) => i.slice(d * u, (d + 1) * u)), p = s.map((g) => Qi(g, a)), c = (g) => g[0].flatMap((d, f) => g.map((v) => v[f]));
+  let u = n / o, s = Array.from({ length: o }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => ns(g, a)), c = (g) => g[0].flatMap((m, v) => g.map((y) => y[v]));
   return [...c(s), ...c(p)];
 }
-var Zi = [
+var os = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1683,12 +1694,12 @@ var Zi = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function Ji(e) {
+function ls(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function xo(e) {
+function $o(e) {
   let t = e.length, n = 0, a = 0;
   for (let o of [!1, !0])
     for (let r = 0; r < t; r++) {
@@ -1706,59 +1717,59 @@ function xo(e) {
       e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function So(e) {
-  let t = [...new TextEncoder().encode(e)], n = Mo.findIndex(([d]) => t.length + 2 <= d) + 1;
+function Po(e) {
+  let t = [...new TextEncoder().encode(e)], n = Lo.findIndex(([m]) => t.length + 2 <= m) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (d, f, v) => {
-    d < 0 || f < 0 || d >= a || f >= a || (o[f][d] = v, r[f][d] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (m, v, y) => {
+    m < 0 || v < 0 || m >= a || v >= a || (o[v][m] = y, r[v][m] = !0);
   };
-  for (let d = 0; d < a; d++)
-    l(d, 6, d % 2 === 0), l(6, d, d % 2 === 0);
-  for (let [d, f] of [[3, 3], [a - 4, 3], [3, a - 4]])
-    for (let v = -4; v <= 4; v++)
+  for (let m = 0; m < a; m++)
+    l(m, 6, m % 2 === 0), l(6, m, m % 2 === 0);
+  for (let [m, v] of [[3, 3], [a - 4, 3], [3, a - 4]])
+    for (let y = -4; y <= 4; y++)
       for (let V = -4; V <= 4; V++) {
-        let B = Math.max(Math.abs(V), Math.abs(v));
-        l(d + V, f + v, B !== 2 && B !== 4);
+        let B = Math.max(Math.abs(V), Math.abs(y));
+        l(m + V, v + y, B !== 2 && B !== 4);
       }
   if (n > 1) {
-    let d = a - 7;
-    for (let f = -2; f <= 2; f++) for (let v = -2; v <= 2; v++) l(d + v, d + f, Math.max(Math.abs(v), Math.abs(f)) !== 1);
+    let m = a - 7;
+    for (let v = -2; v <= 2; v++) for (let y = -2; y <= 2; y++) l(m + y, m + v, Math.max(Math.abs(y), Math.abs(v)) !== 1);
   }
-  let i = (d) => {
-    let f = Ji(d);
-    for (let v = 0; v < 15; v++) {
-      let V = (f >> v & 1) === 1, B = v < 6 ? v : v < 8 ? v + 1 : a - 15 + v;
-      l(8, B, V), l(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, V);
+  let i = (m) => {
+    let v = ls(m);
+    for (let y = 0; y < 15; y++) {
+      let V = (v >> y & 1) === 1, B = y < 6 ? y : y < 8 ? y + 1 : a - 15 + y;
+      l(8, B, V), l(y < 8 ? a - 1 - y : y < 9 ? 7 : 14 - y, 8, V);
     }
     l(8, a - 8, !0);
   };
   i(0);
-  let u = Yi(t, n), s = 0;
-  for (let d = a - 1; d > 0; d -= 2) {
-    d === 6 && (d = 5);
-    for (let f = 0; f < a; f++)
-      for (let v of [d, d - 1]) {
-        let B = (d + 1 & 2) === 0 ? a - 1 - f : f;
-        r[B][v] || (o[B][v] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+  let u = as(t, n), s = 0;
+  for (let m = a - 1; m > 0; m -= 2) {
+    m === 6 && (m = 5);
+    for (let v = 0; v < a; v++)
+      for (let y of [m, m - 1]) {
+        let B = (m + 1 & 2) === 0 ? a - 1 - v : v;
+        r[B][y] || (o[B][y] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
       }
   }
-  let p = (d) => (i(d), o.map((f, v) => f.map((V, B) => V !== (!r[v][B] && Zi[d](B, v))))), c = p(0), g = xo(c);
-  for (let d = 1; d < 8; d++) {
-    let f = p(d), v = xo(f);
-    v < g && ([c, g] = [f, v]);
+  let p = (m) => (i(m), o.map((v, y) => v.map((V, B) => V !== (!r[y][B] && os[m](B, y))))), c = p(0), g = $o(c);
+  for (let m = 1; m < 8; m++) {
+    let v = p(m), y = $o(v);
+    y < g && ([c, g] = [v, y]);
   }
   return c;
 }
 
 // src/later/sheets.tsx
-import { Fragment as ws, jsx as h, jsxs as $ } from "./desk.js";
-function et({ title: e, wide: t, children: n }) {
-  let a = At(null);
-  us(() => {
+import { Fragment as Ls, jsx as h, jsxs as L } from "./desk.js";
+function nt({ title: e, wide: t, children: n }) {
+  let a = Ft(null);
+  gs(() => {
     let r = a.current, l = document.activeElement;
     return r.open || r.showModal(), () => l?.focus();
   }, []);
-  let o = () => Ze.value = null;
+  let o = () => et.value = null;
   return h(
     "dialog",
     {
@@ -1767,8 +1778,8 @@ function et({ title: e, wide: t, children: n }) {
       "aria-label": e,
       onClose: o,
       onClick: (r) => r.target === a.current && o(),
-      children: $("div", { class: "sheet-body", children: [
-        $("header", { children: [
+      children: L("div", { class: "sheet-body", children: [
+        L("header", { children: [
           h("h2", { children: e }),
           h("span", { class: "gap" }),
           h("button", { onClick: o, children: "Close" })
@@ -1778,7 +1789,7 @@ function et({ title: e, wide: t, children: n }) {
     }
   );
 }
-var ds = [
+var vs = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1792,35 +1803,35 @@ var ds = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function ms() {
-  let e = [...new Set(Tn().map((t) => t.group))];
-  return h(et, { title: "All keys", wide: !0, children: $("div", { class: "help", children: [
-    $("table", { children: [
+function ys() {
+  let e = [...new Set(An().map((t) => t.group))];
+  return h(nt, { title: "All keys", wide: !0, children: L("div", { class: "help", children: [
+    L("table", { children: [
       h("caption", { class: "spoken", children: "By hand" }),
-      h("thead", { children: $("tr", { children: [
+      h("thead", { children: L("tr", { children: [
         h("th", { scope: "col", children: "What" }),
         h("th", { scope: "col", children: "Mouse" }),
         h("th", { scope: "col", children: "Keys, in the view" }),
         h("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      h("tbody", { children: ds.map(([t, n, a, o]) => $("tr", { children: [
+      h("tbody", { children: vs.map(([t, n, a, o]) => L("tr", { children: [
         h("th", { scope: "row", children: t }),
         h("td", { children: n }),
-        h("td", { children: a.replace("walking keys", cs.value) }),
+        h("td", { children: a.replace("walking keys", bs.value) }),
         h("td", { children: o })
       ] }, t)) })
     ] }),
-    $("div", { class: "columns", children: [
-      e.map((t) => $("section", { children: [
+    L("div", { class: "columns", children: [
+      e.map((t) => L("section", { children: [
         h("h3", { children: t }),
-        h("dl", { children: Tn().filter((n) => n.group === t && n.keys).map((n) => $(ws, { children: [
+        h("dl", { children: An().filter((n) => n.group === t && n.keys).map((n) => L(Ls, { children: [
           h("dt", { children: n.label }),
           h("dd", { children: h("kbd", { children: n.keys }) })
         ] })) })
       ] }, t)),
-      $("section", { children: [
+      L("section", { children: [
         h("h3", { children: "Numbers" }),
-        $("dl", { children: [
+        L("dl", { children: [
           h("dt", { children: "Level" }),
           h("dd", { children: "80 %, 450 lm, *0.8, +10, -1/2 stop, full, out" }),
           h("dt", { children: "Colour" }),
@@ -1834,29 +1845,29 @@ function ms() {
     ] })
   ] }) });
 }
-var Vt = Je(""), Ye = Je(0);
-function hs() {
-  let e = Vt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = Tn().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: ps(a.id), run: () => Co(a.id) }));
-  for (let { name: a, camera: o } of ct())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => os(o, a) });
+var qt = tt(""), Je = tt(0);
+function ks() {
+  let e = qt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = An().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: fs(a.id), run: () => To(a.id) }));
+  for (let { name: a, camera: o } of ht())
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => cs(o, a) });
   if (e.length)
-    for (let [a, o] of rs.all()) {
+    for (let [a, o] of ms.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => is("lamp", a) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => ds("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function gs() {
-  let e = hs(), t = Math.min(Ye.value, e.length - 1);
-  En(() => {
-    Vt.value = "", Ye.value = 0;
-  }, []), En(() => {
+function ws() {
+  let e = ks(), t = Math.min(Je.value, e.length - 1);
+  In(() => {
+    qt.value = "", Je.value = 0;
+  }, []), In(() => {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
   let n = (a) => {
-    a && (Ze.value = null, a.why ? Vn(a.why, "warn") : setTimeout(a.run, 0));
+    a && (et.value = null, a.why ? Rn(a.why, "warn") : setTimeout(a.run, 0));
   };
-  return $(et, { title: "Command palette", children: [
+  return L(nt, { title: "Command palette", children: [
     h(
       "input",
       {
@@ -1870,18 +1881,18 @@ function gs() {
         "aria-autocomplete": "list",
         autofocus: !0,
         placeholder: "What shall be done?",
-        value: Vt.value,
+        value: qt.value,
         onInput: (a) => {
-          Vt.value = a.currentTarget.value, Ye.value = 0;
+          qt.value = a.currentTarget.value, Je.value = 0;
         },
         onKeyDown: (a) => {
           let o = { ArrowDown: 1, ArrowUp: -1 }[a.key];
-          o && (a.preventDefault(), Ye.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
+          o && (a.preventDefault(), Je.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
         }
       }
     ),
-    $("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
-      e.map((a, o) => $(
+    L("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
+      e.map((a, o) => L(
         "li",
         {
           id: `command-${o}`,
@@ -1889,7 +1900,7 @@ function gs() {
           "aria-selected": o === t,
           "aria-disabled": a.why !== null,
           title: a.why ?? void 0,
-          onPointerMove: () => Ye.value = o,
+          onPointerMove: () => Je.value = o,
           onClick: () => n(a),
           children: [
             h("span", { children: a.label }),
@@ -1902,108 +1913,108 @@ function gs() {
     ] })
   ] });
 }
-var $o = Je([]);
-ls("links", (e) => $o.value = e.links);
-function bs({ text: e }) {
-  let t = So(e);
+var Eo = tt([]);
+ps("links", (e) => Eo.value = e.links);
+function xs({ text: e }) {
+  let t = Po(e);
   if (!t) return null;
   let n = t.length + 8, a = t.map((o, r) => o.map((l, i) => l ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
-  return $("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
+  return L("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
     h("rect", { width: n, height: n, fill: "#fff" }),
     h("path", { d: a, fill: "#000" })
   ] });
 }
-function fs() {
-  let e = Je(null), t = At(e).current;
-  return En(() => {
-    Et({ do: "links", what: "list" });
-  }, []), $(et, { title: "Share by link", children: [
+function Ms() {
+  let e = tt(null), t = Ft(e).current;
+  return In(() => {
+    Rt({ do: "links", what: "list" });
+  }, []), L(nt, { title: "Share by link", children: [
     h("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    h("ul", { class: "links", children: $o.value.map((n) => $("li", { children: [
+    h("ul", { class: "links", children: Eo.value.map((n) => L("li", { children: [
       h("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
       h("code", { children: n.address }),
-      $("span", { class: "buttons", children: [
+      L("span", { class: "buttons", children: [
         h("button", { onClick: () => {
-          ns(n.address);
+          ss(n.address);
         }, children: "Copy" }),
         h("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
-        h("button", { onClick: () => Et({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
+        h("button", { onClick: () => Rt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && h(bs, { text: n.address })
+      t.value === n.id && h(xs, { text: n.address })
     ] }, n.id)) }),
-    $("footer", { children: [
-      h("button", { onClick: () => Et({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
-      h("button", { onClick: () => Et({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
+    L("footer", { children: [
+      h("button", { onClick: () => Rt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
+      h("button", { onClick: () => Rt({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
     ] })
   ] });
 }
-function vs() {
-  let e = At(null), t = () => {
+function Ss() {
+  let e = Ft(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    ts({ do: "save", name: n }), Ze.value = null, Vn(`Saving the version “${n}”.`);
+    is({ do: "save", name: n }), et.value = null, Rn(`Saving the version “${n}”.`);
   };
-  return $(et, { title: "Save a version", children: [
+  return L(nt, { title: "Save a version", children: [
     h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
-    $("label", { class: "line", children: [
+    L("label", { class: "line", children: [
       h("span", { children: "Name" }),
       h("span", { class: "field", children: h("input", { ref: e, type: "text", autofocus: !0, maxLength: 120, onKeyDown: (n) => n.key === "Enter" && t() }) })
     ] }),
     h("footer", { children: h("button", { onClick: t, children: "Save" }) })
   ] });
 }
-var re = Je(null);
-function ys() {
-  let e = ss.value?.head, t = At(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
-    re.value = 0;
+var se = tt(null);
+function Cs() {
+  let e = hs.value?.head, t = Ft(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+    se.value = 0;
     let [o, r] = [Number(n("width")), Number(n("height"))];
-    es("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.url ? (re.value = null, Ln(l.name, l.url), Ze.value = null) : re.value = l.progress ?? 0;
+    rs("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
+      l.url ? (se.value = null, En(l.name, l.url), et.value = null) : se.value = l.progress ?? 0;
     }, (l) => {
-      re.value = null, Vn(l, "warn");
+      se.value = null, Rn(l, "warn");
     });
   };
-  return $(et, { title: "Save the picture", children: [
-    $("div", { ref: t, class: "form", children: [
-      $("label", { class: "line", children: [
+  return L(nt, { title: "Save the picture", children: [
+    L("div", { ref: t, class: "form", children: [
+      L("label", { class: "line", children: [
         h("span", { children: "Format" }),
-        $("select", { name: "format", children: [
+        L("select", { name: "format", children: [
           h("option", { value: "png", children: "PNG, as it is shown" }),
           h("option", { value: "exr", children: "EXR, the light itself" })
         ] })
       ] }),
-      $("label", { class: "line", children: [
+      L("label", { class: "line", children: [
         h("span", { children: "Width" }),
         h("input", { type: "number", name: "width", min: 16, max: 16384, value: Math.max(e?.width ?? 0, 640) })
       ] }),
-      $("label", { class: "line", children: [
+      L("label", { class: "line", children: [
         h("span", { children: "Height" }),
         h("input", { type: "number", name: "height", min: 16, max: 16384, value: Math.max(e?.height ?? 0, 480) })
       ] }),
-      $("label", { class: "line", children: [
+      L("label", { class: "line", children: [
         h("span", { children: "Batches" }),
         h("input", { type: "number", name: "batches", min: 1, max: 1e5, value: 64 })
       ] })
     ] }),
-    re.value !== null && h("progress", { max: 1, value: re.value, "aria-label": "Rendering" }),
-    $("footer", { children: [
-      h("button", { onClick: () => Co("command"), children: "Copy the command" }),
-      h("button", { disabled: re.value !== null, onClick: a, children: re.value === null ? "Render and save" : `${as(re.value * 100)} %` })
+    se.value !== null && h("progress", { max: 1, value: se.value, "aria-label": "Rendering" }),
+    L("footer", { children: [
+      h("button", { onClick: () => To("command"), children: "Copy the command" }),
+      h("button", { disabled: se.value !== null, onClick: a, children: se.value === null ? "Render and save" : `${us(se.value * 100)} %` })
     ] })
   ] });
 }
-function ks() {
-  switch (Ze.value) {
+function $s() {
+  switch (et.value) {
     case "help":
-      return h(ms, {});
-    case "palette":
-      return h(gs, {});
-    case "share":
-      return h(fs, {});
-    case "save":
-      return h(vs, {});
-    case "picture":
       return h(ys, {});
+    case "palette":
+      return h(ws, {});
+    case "share":
+      return h(Ms, {});
+    case "save":
+      return h(Ss, {});
+    case "picture":
+      return h(Cs, {});
     default:
       return null;
   }
@@ -2011,28 +2022,28 @@ function ks() {
 
 // src/later/sheetrow.tsx
 import {
-  act as xs,
-  colorText as Lo,
-  cost as Ms,
-  css as Ss,
-  Field as Cs,
-  groups as $s,
-  hovered as It,
-  Icon as Ls,
-  lamps as Po,
-  output as To,
-  penless as Ps,
-  pickRow as Ts,
-  select as Es,
-  selection as Eo,
-  switchOn as Vs,
-  three as As,
-  typeGroupLevel as Is,
-  typeLevel as Rs
+  act as Ps,
+  colorText as Vo,
+  cost as Ts,
+  css as Es,
+  Field as Vs,
+  groups as As,
+  hovered as Ht,
+  Icon as Is,
+  lamps as Ao,
+  output as Io,
+  penless as Rs,
+  pickRow as qs,
+  select as Fs,
+  selection as Ro,
+  switchOn as Hs,
+  three as Ns,
+  typeGroupLevel as Ds,
+  typeLevel as Os
 } from "./desk.js";
-import { jsx as Y, jsxs as An } from "./desk.js";
-function qs() {
-  return An("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+import { jsx as Y, jsxs as qn } from "./desk.js";
+function Ws() {
+  return qn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     Y("span", {}),
     Y("span", { children: "Name" }),
     Y("span", { children: "Level" }),
@@ -2040,14 +2051,14 @@ function qs() {
     Y("span", { children: "White" })
   ] });
 }
-function Fs({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? Po.get(e.id) : void 0, o = e.kind === "group" ? $s.get(e.id) : void 0, r = a ?? o;
+function Gs({ row: e, index: t, count: n }) {
+  let a = e.kind === "lamp" ? Ao.get(e.id) : void 0, o = e.kind === "group" ? As.get(e.id) : void 0, r = a ?? o;
   if (!r) return null;
-  let l = Eo.value?.kind === e.kind && Eo.value.ids.includes(e.id), i = a ? a.flux * To(a) : (o?.lamps ?? []).reduce((p, c) => {
-    let g = Po.get(c);
-    return p + (g ? g.flux * To(g) : 0);
-  }, 0), u = Ps.value, s = It.value?.kind === e.kind && It.value.id === e.id;
-  return An(
+  let l = Ro.value?.kind === e.kind && Ro.value.ids.includes(e.id), i = a ? a.flux * Io(a) : (o?.lamps ?? []).reduce((p, c) => {
+    let g = Ao.get(c);
+    return p + (g ? g.flux * Io(g) : 0);
+  }, 0), u = Rs.value, s = Ht.value?.kind === e.kind && Ht.value.id === e.id;
+  return qn(
     "div",
     {
       class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${s ? "under" : ""}`,
@@ -2055,13 +2066,13 @@ function Fs({ row: e, index: t, count: n }) {
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => It.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => It.value = null,
+      onPointerEnter: () => Ht.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => Ht.value = null,
       children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Vs(e, !r.on), children: Y(Ls, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ms(a) : void 0, onClick: (p) => Ts(p, e.kind, e.id), onDblClick: () => xs("frame"), children: Y("span", { children: r.name }) }),
+        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Hs(e, !r.on), children: Y(Is, { name: "power" }) }),
+        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ts(a) : void 0, onClick: (p) => qs(p, e.kind, e.id), onDblClick: () => Ps("frame"), children: Y("span", { children: r.name }) }),
         Y(
-          Cs,
+          Vs,
           {
             label: `${r.name} level`,
             quantity: "level",
@@ -2070,13 +2081,13 @@ function Fs({ row: e, index: t, count: n }) {
             step: 0.01,
             disabled: u !== null,
             why: u,
-            set: (p) => a ? Rs([e.id], p) : Is(e.id, p)
+            set: (p) => a ? Os([e.id], p) : Ds(e.id, p)
           }
         ),
-        Y("span", { class: "lumens", children: As(i) }),
-        a ? An("button", { class: "tint", "aria-label": `${r.name} colour: ${Lo(a)}`, onClick: () => Es("lamp", e.id), children: [
-          Y("i", { class: "swatch", style: { background: Ss(a.swatch) } }),
-          Lo(a)
+        Y("span", { class: "lumens", children: Ns(i) }),
+        a ? qn("button", { class: "tint", "aria-label": `${r.name} colour: ${Vo(a)}`, onClick: () => Fs("lamp", e.id), children: [
+          Y("i", { class: "swatch", style: { background: Es(a.swatch) } }),
+          Vo(a)
         ] }) : Y("span", {})
       ]
     }
@@ -2085,58 +2096,58 @@ function Fs({ row: e, index: t, count: n }) {
 
 // src/later/strip.tsx
 import {
-  act as In,
-  command as Fo,
-  digits as Rn,
-  fade as Rt,
-  Field as Hs,
-  grids as Vo,
-  Icon as qe,
-  looks as Ao,
-  luxText as me,
-  maintenance as Ns,
-  meters as Io,
-  select as Ro,
-  selection as qt,
-  signal as Ds,
-  status as qn,
-  storeLook as Os
+  act as Fn,
+  command as Oo,
+  digits as Hn,
+  fade as Nt,
+  Field as Ks,
+  grids as qo,
+  Icon as He,
+  looks as Fo,
+  luxText as be,
+  maintenance as Bs,
+  meters as Ho,
+  select as No,
+  selection as Dt,
+  signal as Us,
+  status as Nn,
+  storeLook as _s
 } from "./desk.js";
-import { Fragment as Us, jsx as x, jsxs as H } from "./desk.js";
-var Fn = Ds("looks");
-function Ws() {
+import { Fragment as Ys, jsx as x, jsxs as H } from "./desk.js";
+var Dn = Us("looks");
+function js() {
   return H("section", { class: "looks", "aria-label": "Looks", children: [
     H("header", { children: [
       x("h2", { children: "Looks" }),
-      x("button", { class: "tab", onClick: () => Fn.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Os, children: x(qe, { name: "plus" }) }),
+      x("button", { class: "tab", onClick: () => Dn.value = "meters", children: "Meters" }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: _s, children: x(He, { name: "plus" }) }),
       x("span", { class: "gap" }),
       H("label", { class: "tint", children: [
         "Fade",
-        x(Hs, { label: "Cross-fade", quantity: "seconds", value: Rt.value, step: 0.5, set: (e) => Rt.value = Math.max(0, e(Rt.value)) })
+        x(Ks, { label: "Cross-fade", quantity: "seconds", value: Nt.value, step: 0.5, set: (e) => Nt.value = Math.max(0, e(Nt.value)) })
       ] })
     ] }),
     H("ul", { children: [
-      Ao.all().map(([e, t], n) => H("li", { class: "look", children: [
-        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Fo({ do: "look", id: e, what: "recall", seconds: Rt.peek() }), children: [
+      Fo.all().map(([e, t], n) => H("li", { class: "look", children: [
+        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Oo({ do: "look", id: e, what: "recall", seconds: Nt.peek() }), children: [
           t.picture && x("img", { src: t.picture, alt: "" }),
           x("span", { children: t.name })
         ] }),
-        x(Gs, { id: e, name: t.name })
+        x(zs, { id: e, name: t.name })
       ] }, e)),
-      !Ao.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !Fo.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function Gs({ id: e, name: t }) {
+function zs({ id: e, name: t }) {
   let n = `look-${e}`, a = (i) => {
     let u = i.getBoundingClientRect(), s = document.getElementById(n);
     s?.style.setProperty("left", `${Math.min(u.left, innerWidth - 296)}px`), s?.style.setProperty("bottom", `${innerHeight - u.top + 4}px`), s?.style.setProperty("top", "auto");
   }, o = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), l = (i, u = {}) => {
-    r(), Fo({ do: "look", id: e, what: i, ...u });
+    r(), Oo({ do: "look", id: e, what: i, ...u });
   };
-  return H(Us, { children: [
-    x("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: x(qe, { name: "more" }) }),
+  return H(Ys, { children: [
+    x("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: x(He, { name: "more" }) }),
     H("div", { id: n, popover: "auto", class: "menu", children: [
       H("label", { class: "line", children: [
         x("span", { children: "Name" }),
@@ -2148,147 +2159,164 @@ function Gs({ id: e, name: t }) {
     ] })
   ] });
 }
-var qo = () => qn.value?.stage === "moving" || qn.value?.stage === "refining" || qn.value?.stage === "loading";
-function Ks() {
-  let e = Ns.value;
+var Do = () => Nn.value?.stage === "moving" || Nn.value?.stage === "refining" || Nn.value?.stage === "loading";
+function Xs() {
+  let e = Bs.value;
   return H("section", { class: "readings", "aria-label": "Meters and grids", children: [
     H("header", { children: [
       x("h2", { children: "Meters" }),
-      x("button", { class: "tab", onClick: () => Fn.value = "looks", children: "Looks" }),
-      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => In("meter-tool"), children: x(qe, { name: "meter" }) }),
-      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => In("grid"), children: x(qe, { name: "grid" }) }),
-      x("button", { onClick: () => In("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
-      x("button", { onClick: ko, title: "Save all figures as CSV", children: "CSV" }),
+      x("button", { class: "tab", onClick: () => Dn.value = "looks", children: "Looks" }),
+      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Fn("meter-tool"), children: x(He, { name: "meter" }) }),
+      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Fn("grid"), children: x(He, { name: "grid" }) }),
+      x("button", { onClick: () => Fn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
+      x("button", { onClick: So, title: "Save all figures as CSV", children: "CSV" }),
       x("span", { class: "gap" }),
-      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${Rn(e, 2)} maintained` })
+      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${Hn(e, 2)} maintained` })
     ] }),
     H("ul", { children: [
-      Io.all().map(([t, n]) => {
-        let a = n.lux, o = !a || a[1] > 0.02 * a[0] || qo();
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": qt.value?.kind === "meter" && qt.value.ids.includes(t), onClick: () => Ro("meter", t), children: [
+      Ho.all().map(([t, n]) => {
+        let a = n.lux, o = !a || a[1] > 0.02 * a[0] || Do();
+        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "meter" && Dt.value.ids.includes(t), onClick: () => No("meter", t), children: [
           H("span", { class: "tint", children: [
-            x(qe, { name: "meter" }),
+            x(He, { name: "meter" }),
             n.name
           ] }),
-          x("strong", { class: o ? "unsettled" : "", children: a ? me(a[0] * e) : "…" }),
+          x("strong", { class: o ? "unsettled" : "", children: a ? be(a[0] * e) : "…" }),
           H("small", { children: [
-            a ? `±${me(a[1] * e, !1)}` : "measuring",
+            a ? `±${be(a[1] * e, !1)}` : "measuring",
             " ",
             n.kind,
-            n.target ? ` · wants ${me(n.target)}` : ""
+            n.target ? ` · wants ${be(n.target)}` : ""
           ] })
         ] }) }, `m${t}`);
       }),
-      Vo.all().map(([t, n]) => {
+      qo.all().map(([t, n]) => {
         let a = n.target, o = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": qt.value?.kind === "grid" && qt.value.ids.includes(t), onClick: () => Ro("grid", t), children: [
+        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "grid" && Dt.value.ids.includes(t), onClick: () => No("grid", t), children: [
           H("span", { class: "tint", children: [
-            x(qe, { name: "grid" }),
+            x(He, { name: "grid" }),
             n.name,
             " ",
             a && n.mean != null && x("b", { class: o ? "met" : "missed", children: o ? "✓" : "✗" })
           ] }),
-          x("strong", { class: qo() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${me(n.mean * e)}${n.error == null ? "" : ` ±${me(n.error * e, !1)}`}` }),
+          x("strong", { class: Do() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
           H("small", { children: [
             "U₀ ",
-            n.uniformity == null ? "…" : Rn(n.uniformity, 2),
+            n.uniformity == null ? "…" : Hn(n.uniformity, 2),
             " · ",
-            n.min == null ? "…" : me(n.min * e, !1),
+            n.min == null ? "…" : be(n.min * e, !1),
             " to",
             " ",
-            n.max == null ? "…" : me(n.max * e, !1),
-            a ? ` · wants ${me(a.lux)}, U₀ ${Rn(a.uniformity, 2)}` : ""
+            n.max == null ? "…" : be(n.max * e, !1),
+            a ? ` · wants ${be(a.lux)}, U₀ ${Hn(a.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
-      !Io.ids.value.length && !Vo.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !Ho.ids.value.length && !qo.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Bs() {
-  return H("div", { class: "strip-parts", "data-tab": Fn.value, children: [
-    x(Ws, {}),
-    x(Ks, {})
+function Qs() {
+  return H("div", { class: "strip-parts", "data-tab": Dn.value, children: [
+    x(js, {}),
+    x(Xs, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  digits as _s,
-  display as js,
-  Field as Ho,
-  go as zs,
-  houseLights as Hn,
-  Item as we,
-  Range as Xs,
-  show as Nn,
-  theme as No,
-  walking as Qs
+  camera as Ko,
+  digits as Bo,
+  display as Zs,
+  Field as Wt,
+  go as Uo,
+  houseLights as On,
+  Item as Me,
+  Range as Js,
+  show as Wn,
+  theme as Wo,
+  walking as eu
 } from "./desk.js";
-import { Fragment as Dn, jsx as P, jsxs as he } from "./desk.js";
-function Ys() {
-  let e = ct();
-  return he(Dn, { children: [
-    ["home", "frame", "inside", "back", "forth", "store-view"].map((t) => P(we, { id: t }, t)),
-    P("hr", {}),
-    ["plan", "ceiling", "north", "east", "south", "west"].map((t) => P(we, { id: `preset-${t}` }, t)),
-    P("hr", {}),
-    e.length > 0 && P("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    e.map(({ name: t, camera: n }, a) => P("button", { class: "item", onClick: () => zs(n, t), children: P("span", { children: t }) }, a)),
-    e.length > 0 && P("hr", {}),
-    P(we, { id: "walking", label: Qs.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
-    P(we, { id: "from-lamp" }),
-    ["default", "blender", "maya", "trackpad"].map((t) => P(we, { id: `hands-${t}` }, t))
+import { Fragment as Gt, jsx as S, jsxs as ee } from "./desk.js";
+var Ot = Math.PI / 360;
+function Go(e) {
+  let t = Ko.peek();
+  t && Uo({ ...t, fov: Math.max(3, Math.min(140, e)) });
+}
+function tu() {
+  let e = Ko.value, t = ht();
+  return ee(Gt, { children: [
+    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => S(Me, { id: n }, n)),
+    S("hr", {}),
+    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => S(Me, { id: `preset-${n}` }, n)),
+    S("hr", {}),
+    t.length > 0 && S("p", { class: "quiet", children: "Cameras of the file and saved views" }),
+    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Uo(a, n), children: S("span", { children: n }) }, o)),
+    t.length > 0 && S("hr", {}),
+    e && !e.height && ee(Gt, { children: [
+      ee("label", { class: "line", children: [
+        S("span", { children: "Angle" }),
+        S(Wt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Go(n(e.fov)) })
+      ] }),
+      ee("label", { class: "line", children: [
+        S("span", { children: "Focal length" }),
+        S(Wt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Ot)) / 10, text: `${Bo(12 / Math.tan(e.fov * Ot), 1)} mm`, step: 1, set: (n) => Go(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Ot)))) / Ot) })
+      ] }),
+      S("hr", {})
+    ] }),
+    S(Me, { id: "walking", label: eu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    S(Me, { id: "from-lamp" }),
+    ["default", "blender", "maya", "trackpad"].map((n) => S(Me, { id: `hands-${n}` }, n))
   ] });
 }
-var Zs = ["linear", "reinhard", "filmic"];
-function Js() {
-  let e = js.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return he(Dn, { children: [
-    he("fieldset", { children: [
-      P("legend", { children: "Tone curve" }),
-      P("div", { class: "segments", children: Zs.map((n) => P("button", { "aria-pressed": e.tone === n, onClick: () => Nn({ tone: n }), children: n }, n)) })
+var nu = ["linear", "reinhard", "filmic"];
+function au() {
+  let e = Zs.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+  return ee(Gt, { children: [
+    ee("fieldset", { children: [
+      S("legend", { children: "Tone curve" }),
+      S("div", { class: "segments", children: nu.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Wn({ tone: n }), children: n }, n)) })
     ] }),
-    he("fieldset", { children: [
-      P("legend", { children: "White balance" }),
-      he("label", { class: "line", children: [
-        P("span", { children: "White" }),
-        P(Ho, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Nn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+    ee("fieldset", { children: [
+      S("legend", { children: "White balance" }),
+      ee("label", { class: "line", children: [
+        S("span", { children: "White" }),
+        S(Wt, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Wn({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
-      he("label", { class: "line", children: [
-        P("span", { children: "Tint" }),
-        P(Ho, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Nn({ white: { ...t, tint: n(t.tint) } }) })
+      ee("label", { class: "line", children: [
+        S("span", { children: "Tint" }),
+        S(Wt, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Wn({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
-    P("hr", {}),
-    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => P(we, { id: n }, n))
+    S("hr", {}),
+    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => S(Me, { id: n }, n))
   ] });
 }
-function eu() {
-  return he(Dn, { children: [
-    he("label", { class: "line", children: [
-      P("span", { children: "House lights" }),
-      P(Xs, { label: "House lights", value: Hn.value, text: `${_s(Hn.value * 100)} %`, on: (e) => Hn.value = Math.max(0.3, e) })
+function ou() {
+  return ee(Gt, { children: [
+    ee("label", { class: "line", children: [
+      S("span", { children: "House lights" }),
+      S(Js, { label: "House lights", value: On.value, text: `${Bo(On.value * 100)} %`, on: (e) => On.value = Math.max(0.3, e) })
     ] }),
-    P("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => P("button", { "aria-pressed": No.value === e, onClick: () => No.value = e, children: e }, e)) }),
-    P("hr", {}),
-    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => P(we, { id: e }, e))
+    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": Wo.value === e, onClick: () => Wo.value = e, children: e }, e)) }),
+    S("hr", {}),
+    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => S(Me, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as Ft, cut as tu, digits as Do, edit as Oo, go as nu, Icon as tt, Range as au, setCut as ou, signal as lu, storeView as ru, viewName as iu, views as su } from "./desk.js";
-import { jsx as W, jsxs as On } from "./desk.js";
-var Ht = lu(null);
-function uu() {
-  let e = su.all();
-  return On("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Ft("home"), children: W(tt, { name: "home" }) }),
-    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Ft("frame"), children: W(tt, { name: "frame" }) }),
-    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Ft("back"), children: W(tt, { name: "back" }) }),
-    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Ft("forth"), children: W(tt, { name: "forth" }) }),
+import { act as Kt, cut as lu, digits as _o, edit as jo, go as ru, Icon as at, Range as iu, setCut as su, signal as uu, storeView as cu, viewName as pu, views as mu } from "./desk.js";
+import { jsx as W, jsxs as Gn } from "./desk.js";
+var Bt = uu(null);
+function du() {
+  let e = mu.all();
+  return Gn("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Kt("home"), children: W(at, { name: "home" }) }),
+    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Kt("frame"), children: W(at, { name: "frame" }) }),
+    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Kt("back"), children: W(at, { name: "back" }) }),
+    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Kt("forth"), children: W(at, { name: "forth" }) }),
     W("span", { class: "divide" }),
-    e.map(([t, n], a) => Ht.value === t ? W("span", { class: "field", children: W(
+    e.map(([t, n], a) => Bt.value === t ? W("span", { class: "field", children: W(
       "input",
       {
         type: "text",
@@ -2298,22 +2326,22 @@ function uu() {
         ref: (o) => o?.focus(),
         onBlur: (o) => {
           let r = o.currentTarget.value.trim();
-          Ht.value = null, r && r !== n.name && Oo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+          Bt.value = null, r && r !== n.name && jo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
         },
         onKeyDown: (o) => {
           o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
         }
       }
-    ) }, t) : On(
+    ) }, t) : Gn(
       "button",
       {
         class: "saved-view",
-        "aria-pressed": iu.value === n.name,
+        "aria-pressed": pu.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => nu(n, n.name ?? "view"),
-        onDblClick: () => Ht.value = t,
+        onClick: () => ru(n, n.name ?? "view"),
+        onDblClick: () => Bt.value = t,
         onKeyDown: (o) => {
-          o.key === "F2" && (Ht.value = t), o.key === "Delete" && (o.stopPropagation(), Oo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+          o.key === "F2" && (Bt.value = t), o.key === "Delete" && (o.stopPropagation(), jo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
           W("small", { children: a + 1 }),
@@ -2323,22 +2351,22 @@ function uu() {
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: ru, children: W(tt, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: cu, children: W(at, { name: "plus" }) })
   ] });
 }
-function cu() {
-  let e = tu.value;
+function hu() {
+  let e = lu.value;
   if (!e) return null;
-  let t = e.height === null ? `${Do(e.value, 2)} m` : `at ${Do(e.height, 2)} m`;
-  return On("label", { class: "cut", "data-scroll": !0, children: [
+  let t = e.height === null ? `${_o(e.value, 2)} m` : `at ${_o(e.height, 2)} m`;
+  return Gn("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      au,
+      iu,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => ou(n * e.most)
+        on: (n) => su(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2346,44 +2374,44 @@ function cu() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as pu, useRef as du } from "./desk.js";
-import { jsx as Wo } from "./desk.js";
-function mu() {
-  let e = du(null), t = (n) => {
+import { padWalk as gu, useRef as bu } from "./desk.js";
+import { jsx as zo } from "./desk.js";
+function fu() {
+  let e = bu(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
     let r = a.getBoundingClientRect(), l = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), u = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), pu(u, i);
+    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), gu(u, i);
   };
-  return Wo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Wo("span", { ref: e }) });
+  return zo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: zo("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as Go,
-  closeWhat as Ko,
-  digits as hu,
-  hovered as Bo,
-  Icon as gu,
-  luxText as ge,
-  nameOf as bu,
-  select as fu,
-  useEffect as vu,
-  useRef as yu,
-  viewSize as ku,
-  what as wu
+  chosenLamps as Xo,
+  closeWhat as Qo,
+  digits as vu,
+  hovered as Yo,
+  Icon as yu,
+  luxText as fe,
+  nameOf as ku,
+  select as wu,
+  useEffect as xu,
+  useRef as Mu,
+  viewSize as Su,
+  what as Cu
 } from "./desk.js";
-import { jsx as K, jsxs as ee } from "./desk.js";
-var xe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], xu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Mu() {
-  let e = wu.value, t = yu(null);
-  if (vu(() => {
+import { jsx as K, jsxs as te } from "./desk.js";
+var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], $u = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Lu() {
+  let e = Cu.value, t = Mu(null);
+  if (xu(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = ku.value, o = [...e.lamps].sort((c, g) => xe(g) - xe(c)), r = o.reduce((c, g) => c + xe(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + xe(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${ge(e.lux[0])} ±${ge(e.lux[1], !1)}` : "Measuring…";
-  return ee(
+  let [n, a] = Su.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), r = o.reduce((c, g) => c + Se(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
+  return te(
     "div",
     {
       class: "what sheetlet",
@@ -2393,65 +2421,65 @@ function Mu() {
       ref: t,
       style: { left: `${u}px`, top: `${s}px` },
       onKeyDown: (c) => {
-        c.key === "Escape" && (c.stopPropagation(), Ko(), document.getElementById("view")?.focus());
+        c.key === "Escape" && (c.stopPropagation(), Qo(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
-        ee("header", { children: [
+        te("header", { children: [
           K("strong", { class: e.done ? "" : "unsettled", children: p }),
           K("span", { class: "quiet", children: "what lights this" }),
-          K("button", { class: "icon", "aria-label": "Close", onClick: Ko, children: K(gu, { name: "close" }) })
+          K("button", { class: "icon", "aria-label": "Close", onClick: Qo, children: K(yu, { name: "close" }) })
         ] }),
-        ee("ol", { children: [
+        te("ol", { children: [
           l.map((c) => K(
             "li",
             {
-              onPointerEnter: () => Bo.value = { kind: "lamp", id: c.id },
-              onPointerLeave: () => Bo.value = null,
-              children: ee("button", { class: "row", onClick: () => fu("lamp", c.id), children: [
-                K("span", { class: "name", children: bu("lamp", c.id) }),
-                ee("span", { class: "figure", children: [
-                  hu(100 * xe(c) / r, xe(c) / r < 0.0995 ? 1 : 0),
+              onPointerEnter: () => Yo.value = { kind: "lamp", id: c.id },
+              onPointerLeave: () => Yo.value = null,
+              children: te("button", { class: "row", onClick: () => wu("lamp", c.id), children: [
+                K("span", { class: "name", children: ku("lamp", c.id) }),
+                te("span", { class: "figure", children: [
+                  vu(100 * Se(c) / r, Se(c) / r < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
-                ee("span", { class: "figure lux", children: [
-                  ge(xe(c)),
+                te("span", { class: "figure lux", children: [
+                  fe(Se(c)),
                   " ±",
-                  ge(xu(c), !1)
+                  fe($u(c), !1)
                 ] }),
-                ee("span", { class: "bar", "aria-hidden": "true", children: [
+                te("span", { class: "bar", "aria-hidden": "true", children: [
                   K("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
                   K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / r}%` } }),
                   K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / r}%` } })
                 ] }),
-                ee("span", { class: "spoken", children: [
+                te("span", { class: "spoken", children: [
                   "direct ",
-                  ge(c.direct[0]),
+                  fe(c.direct[0]),
                   ", indirect ",
-                  ge(c.indirect[0]),
+                  fe(c.indirect[0]),
                   ", caustic",
                   " ",
-                  ge(c.caustic[0])
+                  fe(c.caustic[0])
                 ] })
               ] })
             },
             c.id
           )),
-          o.length > l.length && ee("li", { class: "quiet", children: [
+          o.length > l.length && te("li", { class: "quiet", children: [
             "and ",
             o.length - l.length,
             " others, ",
-            ge(i),
+            fe(i),
             " together"
           ] }),
           !o.length && K("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
-        ee("footer", { children: [
+        te("footer", { children: [
           K("span", { class: "key direct", children: "direct" }),
           K("span", { class: "key indirect", children: "indirect" }),
           K("span", { class: "key caustic", children: "caustic" }),
           K("span", { class: "gap" }),
-          Go.value.length > 0 && K("button", { onClick: () => Be(Go.peek(), e.hit.point), children: "Aim here" }),
+          Xo.value.length > 0 && K("button", { onClick: () => Be(Xo.peek(), e.hit.point), children: "Aim here" }),
           K("button", { onClick: () => Ue(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
@@ -2459,19 +2487,19 @@ function Mu() {
   );
 }
 export {
-  Ul as Compare,
-  cu as CutBar,
-  Lr as Gizmo,
-  Ri as Inspector,
-  Bi as Legend,
-  eu as PageItems,
-  Js as SeeingItems,
-  qs as SheetHead,
-  Fs as SheetRow,
-  ks as Sheets,
-  Bs as Strip,
-  Ys as ViewItems,
-  uu as ViewStrip,
-  mu as WalkPad,
-  Mu as What
+  Zl as Compare,
+  hu as CutBar,
+  Rr as Gizmo,
+  Oi as Inspector,
+  Qi as Legend,
+  ou as PageItems,
+  au as SeeingItems,
+  Ws as SheetHead,
+  Gs as SheetRow,
+  $s as Sheets,
+  Qs as Strip,
+  tu as ViewItems,
+  du as ViewStrip,
+  fu as WalkPad,
+  Lu as What
 };

@@ -21,7 +21,8 @@ export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLev
 export { closeWhat, what } from './lights';
 export { Item } from './menu';
 export {
-    back, cut, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName, viewSize,
+    back, camera, cut, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName,
+    viewSize,
 } from './navigate';
 export {
     candles, fade, fine, hands, houseLights, lampMarks, listing, lookOnly, maintenance, panels, singleKeys, theme,

@@ -204,6 +204,7 @@ function PlacePart({ ids, all }: { ids: number[]; all: Lamp[] }) {
                     <button aria-pressed={handles.value === 'turn'} onClick={() => (handles.value = 'turn')}>Turn</button>
                 </div>
             </div>
+            <button class="plain full" aria-pressed={tool.value === 'place'} onClick={() => act('place')}>Put on a surface by pointing</button>
             {aimed.length > 0 && spot.value && (
                 <button class="plain full" onClick={() => act('aim-here')}>Aim at the last point</button>
             )}
