@@ -2,6 +2,7 @@
 //! the studio's, pictures the screen's.
 
 mod editing;
+mod reaching;
 mod telling;
 
 use crate::adding::NewLamp;
@@ -15,7 +16,7 @@ use crate::patch::{LampPatch, Patch};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Progress, Studio, What};
+use crate::studio::{Asked, Found, Opened, Progress, Studio, What};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
 use lampyris::cpu::Answer;
 use lampyris::eye::Meter;
@@ -73,6 +74,18 @@ pub(crate) enum Event {
     /// What the meters read.
     Measured {
         readings: Vec<Estimate>,
+        /// Of each layer, what it gives each of them [lx].
+        by_layer: Vec<Vec<f32>>,
+    },
+    /// The scene's file is another one, and was read.
+    Changed(Box<Opened>),
+    /// It is another one, and cannot be read.
+    Broken {
+        why: String,
+    },
+    /// The edits were made in the scene that was read again, but for some.
+    Reloaded {
+        lost: Vec<String>,
     },
     /// Edits were written down, or could not be.
     Saved {
@@ -120,6 +133,8 @@ pub(crate) struct Desk {
     layout: Layout,
     /// What is said of meters and grids.
     told: Value,
+    /// Of each layer, what it gives each point that is measured [lx].
+    by_layer: Vec<Vec<f32>>,
     saved: Value,
     /// Since when there is something to save.
     unsaved: Option<Instant>,
@@ -169,6 +184,7 @@ impl Desk {
             look: None,
             layout: Layout::default(),
             told: Value::Null,
+            by_layer: Vec::new(),
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
             cameras: 0,
@@ -192,7 +208,12 @@ impl Desk {
         while let Some(event) = self.next(events) {
             match event {
                 Event::Opened { model, scene, look, warnings } => {
+                    // Undo goes by numbers, which mean the same only if nothing came or went.
+                    if self.scene.is_some() && !model.is_like(&self.model) {
+                        self.history.clear();
+                    }
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
+                    self.solo.retain(|id| (*id as usize) < self.model.lamps.len());
                     self.look = Some(look);
                     self.screen.mix(self.colors(), 0.0);
                     self.lay_out();
@@ -230,9 +251,21 @@ impl Desk {
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
                 }
-                Event::Measured { readings } => {
+                Event::Measured { readings, by_layer } => {
+                    self.by_layer = by_layer;
                     self.told = self.layout.told(&readings);
                     self.tell_readings();
+                }
+                Event::Changed(opened) => {
+                    self.end_gesture();
+                    self.studio.reload(opened, saving::kept(&self.model));
+                }
+                Event::Broken { why } => {
+                    self.hub.tell_all(&json!({"is": "event", "what": "broken", "why": why}))
+                }
+                Event::Reloaded { lost } => {
+                    let event = json!({"is": "event", "what": "reloaded", "kept": self.history.steps(), "lost": lost});
+                    self.hub.tell_all(&event);
                 }
                 Event::Idle => self.save(None),
                 Event::Refused { why } => {
@@ -393,6 +426,7 @@ impl Desk {
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(&patch).map(|()| false),
+            Do::Reach => self.reach(seq),
             Do::Expose => {
                 self.show.ev = None;
                 self.screen.show(self.show.clone());

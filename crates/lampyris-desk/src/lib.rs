@@ -28,6 +28,7 @@ mod screen;
 mod state;
 mod studio;
 mod surfaces;
+mod watch;
 mod wire;
 
 pub use error::{Error, Result};
@@ -37,9 +38,11 @@ use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
 use screen::Screen;
+use std::fmt::Display;
 use std::net::SocketAddr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use studio::Studio;
 
 /// How a desk is set up.
@@ -73,14 +76,14 @@ impl Ender {
 }
 
 /// Serves a desk until it ends. `ready` is told the link to edit as soon as it can be opened, and how to end; `open` reads the
-/// scene.
+/// scene, or, when that changes, its file alone.
 ///
 /// # Errors
 /// Where the address cannot be listened on, or the system refuses a thread; and what `open` says.
-pub fn serve<E: From<Error> + Send>(
+pub fn serve<E: From<Error> + Display + Send>(
     options: Options,
     ready: impl FnOnce(&str, Ender),
-    open: impl FnOnce() -> std::result::Result<Opened, E> + Send,
+    open: impl Fn(Option<&Path>) -> std::result::Result<Opened, E> + Sync,
 ) -> std::result::Result<(), E> {
     if !options.address.ip().is_loopback() && !options.exposed {
         return Err(Error::Exposed(options.address).into());
@@ -107,12 +110,18 @@ pub fn serve<E: From<Error> + Send>(
     server.start(listener)?;
     let link = door.links().first().map(|link| door.address_of(link)).unwrap_or_default();
     ready(&link, Ender(inbox.clone()));
+    let over = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(move || desk.run(&events));
         let metered = inbox.clone();
         scope.spawn(|| screen.run(&hub, move |ev| metered.put(Event::Metered { ev })));
-        let done = open()
-            .and_then(|opened| studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from));
+        let done = open(None).and_then(|opened| {
+            let (file, events) = (opened.document.scene_file.clone(), inbox.clone());
+            let (open, over) = (&open, &over);
+            scope.spawn(move || watch::watch(&file, over, &events, || open(Some(&file))));
+            studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from)
+        });
+        over.store(true, Ordering::Relaxed);
         if done.is_err() {
             inbox.put(Event::End);
         }

@@ -75,6 +75,27 @@ impl Layout {
         note(self, start..self.points.len());
     }
 
+    /// Of each meter or area that has a target, what each layer gives it, of what each gives each point, and the target [lx].
+    pub(crate) fn wanted(&self, notes: &Notes, by_layer: &[Vec<f32>]) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let mean = |points: &Range<usize>, factor: f64| -> Option<Vec<f64>> {
+            let of = |layer: &Vec<f32>| {
+                let points = layer.get(points.clone())?;
+                let sum: f64 = points.iter().map(|lux| f64::from(*lux)).sum();
+                Some(sum / points.len() as f64 * factor)
+            };
+            by_layer.iter().map(of).collect()
+        };
+        let lux = |target: &Value| {
+            target.as_f64().or(target["lux"].as_f64()).filter(|lux| *lux > 0.0 && *lux < 1e9)
+        };
+        let meters = self.meters.iter().map(|(id, points)| (notes.meters.get(id), points, 1.0));
+        let grids = self.grids.iter().map(|(id, points, factor)| (notes.grids.get(id), points, *factor));
+        let wanted = |(note, points, factor): (Option<&Value>, &Range<usize>, f64)| {
+            Some((mean(points, factor)?, lux(&note?["target"])?))
+        };
+        meters.chain(grids).filter_map(wanted).filter(|(row, _)| !row.is_empty()).unzip()
+    }
+
     /// What is said of meters and grids whose points read so, by slice and number.
     pub(crate) fn told(&self, readings: &[Estimate]) -> Value {
         let told = |reading: Estimate| json!([reading.value, reading.error]);

@@ -17,8 +17,6 @@ impl Saver {
     /// Begins, for edits of what was opened. The place is claimed with the first of them.
     pub(crate) fn start(opened: document::Opened, inbox: Inbox) -> Result<Saver> {
         let (documents, waiting) = mpsc::channel();
-        // What is compared with is not needed here, and may be large.
-        let opened = document::Opened { scene: Default::default(), ..opened };
         let thread = std::thread::Builder::new()
             .name("saver".into())
             .spawn(move || run(&opened, &waiting, &inbox))

@@ -48,6 +48,7 @@ pub(crate) enum Do {
     Solo { lamps: Vec<u32> },
     Display { patch: Box<Value> },
     Expose,
+    Reach,
     Look { id: Option<u32>, name: Option<String>, what: String, seconds: f32 },
     Save { name: Option<String> },
     Edit { take: bool },
@@ -161,6 +162,7 @@ impl Do {
             "solo" => Do::Solo { lamps: fields.remove("lamps").map_or(Ok(Vec::new()), of)? },
             "display" => Do::Display { patch: field(&mut fields, "patch")? },
             "expose" => Do::Expose,
+            "reach" => Do::Reach,
             "look" => {
                 let ALook { id, name: called, what, seconds } = all(fields)?;
                 let seconds = if seconds.is_finite() { seconds.clamp(0.0, 3600.0) } else { 0.0 };

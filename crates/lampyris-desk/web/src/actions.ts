@@ -38,9 +38,12 @@ export function command(message: { do: string } & Record<string, unknown>): void
 export const each = (ids: number[], patch: Patch): Patch => Object.fromEntries(ids.map((id) => [id, patch]));
 
 export const DEFAULT_FALSE: FalseColor = {
-    quantity: 'illuminance', low: 1, high: 1000, scale: 'log', palette: 'viridis', lines: false,
+    quantity: 'illuminance', low: 1, high: 1000, scale: 'log', palette: 'even', lines: false,
 };
 let lastFalse: FalseColor = DEFAULT_FALSE;
+
+/** What is asked of the program: all but what it says besides. */
+export const asked = ({ quantity, low, high, scale, palette, lines }: FalseColor): FalseColor => ({ quantity, low, high, scale, palette, lines });
 
 /** The false colour that is shown, or was last. */
 export const falseColor = (): FalseColor => display.peek().false_color ?? lastFalse;
@@ -48,7 +51,7 @@ export const falseColor = (): FalseColor => display.peek().false_color ?? lastFa
 export function toggleFalse(): void {
     const now = display.peek().false_color;
     if (now) lastFalse = now;
-    show({ false_color: now ? null : lastFalse });
+    show({ false_color: now ? null : asked(lastFalse) });
 }
 
 export function exposeBy(steps: number): void {

@@ -4,7 +4,7 @@ export { computed, effect, signal } from '@preact/signals';
 export { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 export { Fragment, jsx, jsxs } from 'preact/jsx-runtime';
 export {
-    act, allActions, command, copyText, each, exposeBy, falseColor, register, sheet, storeLook, storeView,
+    act, allActions, asked, command, copyText, each, exposeBy, falseColor, register, sheet, storeLook, storeView,
     toggleFalse, wantLevel, whyNotTo, type Action,
 } from './actions';
 export { before, compareHeld, comparing, toggleWipe, wipeAt } from './before';
@@ -12,7 +12,7 @@ export { compass, pinhole, PRESETS, project, ray, type Pinhole, type Preset } fr
 export { colorText, cost } from './faderrow';
 export { Field } from './field';
 export { shown } from './frames';
-export { edit, Gesture, show, step, stroke, whyNot } from './gesture';
+export { edit, Gesture, penless, show, step, stroke, whyNot } from './gesture';
 export { clearSolo, highlight, soloSelection } from './highlight';
 export { Icon } from './icon';
 export { padWalk, walkNames } from './keys';

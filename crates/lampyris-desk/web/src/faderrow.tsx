@@ -9,6 +9,7 @@ import type { Lamp } from './types';
 import { css } from './swatch';
 import { digits, format, percent, three } from './units';
 import { Field } from './field';
+import { penless } from './gesture';
 import { Icon } from './icon';
 import { Range } from './range';
 import { soloLamps } from './highlight';
@@ -38,6 +39,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
     const muted = solo.value.length > 0 && !members.some((id) => solo.value.includes(id));
     const over = hovered.value?.kind === row.kind && hovered.value.id === row.id;
     const state = `${selected ? 'selected' : ''} ${entry.on && !lamp?.parked ? '' : 'off'} ${muted ? 'muted' : ''} ${over ? 'under' : ''}`;
+    const locked = penless.value;
     const drag = {
         begin: () => (fade.current = new Fade(strip)),
         end: () => {
@@ -59,7 +61,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
             onPointerEnter={() => (hovered.value = { kind: row.kind, id: row.id })}
             onPointerLeave={() => (hovered.value = null)}
         >
-            <button class="icon power" aria-pressed={entry.on} aria-label={`${entry.name} on`} title={entry.on ? 'On (O)' : 'Off (O)'} onClick={() => switchOn(strip, !entry.on)}>
+            <button class="icon power" aria-pressed={entry.on} disabled={locked !== null} aria-label={`${entry.name} on`} title={locked ?? (entry.on ? 'On (O)' : 'Off (O)')} onClick={() => switchOn(strip, !entry.on)}>
                 <Icon name="power" />
             </button>
             <div class="top">
@@ -86,6 +88,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
                     value={toTravel(entry.level)}
                     text={`${percent(entry.level)} %, ${three(lumens)} lumen`}
                     notch={0.01}
+                disabled={locked !== null}
                     on={(t) => {
                         const level = toLevel(t);
                         if (fade.current) fade.current.to(level);
@@ -100,6 +103,8 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
                     value={entry.level}
                     flux={flux}
                     step={0.01}
+                    disabled={locked !== null}
+                    why={locked}
                     set={(apply) => (lamp ? typeLevel(selected && chosenLamps.peek().length > 1 ? chosenLamps.peek() : [row.id], apply) : typeGroupLevel(row.id, apply))}
                 />
                 <span class="lumens">{format(lumens, 'flux')}</span>

@@ -4,7 +4,8 @@
 // letting go sends it whatever is still under way. Two hands at once share one step: it begins with the first and ends
 // with the last.
 
-import { effect, untracked } from '@preact/signals';
+import { computed, effect, untracked } from '@preact/signals';
+import { lookOnly } from './prefs';
 import { editor, keep, merge, releaseUpTo, settle } from './store';
 import { say } from './say';
 import type { Patch } from './types';
@@ -16,12 +17,18 @@ const beginners = new Set<() => void>();
 export const onBegin = (heard: () => void): void => void beginners.add(heard);
 const live = new Set<Gesture>();
 
-/** Why edits are not possible now, or null. */
-export function whyNot(): string | null {
-    if (line.value !== 'open') return 'There is no connection to the program: nothing was changed.';
+/** Why this page edits nothing as it stands, or null: its controls are disabled then. */
+export const penless = computed<string | null>(() => {
+    if (lookOnly.value) return 'The look-only lock is on.';
     if (role.value === 'watch') return 'You are watching. Ask for the pen to change things.';
     if (!editor.value.you) return `${editor.value.name ?? 'Somebody else'} has the pen. Take it to change things.`;
     return null;
+});
+
+/** Why edits are not possible now, or null. */
+export function whyNot(): string | null {
+    if (line.value !== 'open') return 'There is no connection to the program: nothing was changed.';
+    return penless.value;
 }
 
 /** A label as long as the program takes them. */

@@ -21,22 +21,22 @@ const sort = signal<'group' | 'name' | 'flux' | 'level'>('group');
 /** Rows in sight of both listings: groups with their lamps, or what the filter finds. */
 export const rows = computed<Row[]>(() => {
     const wanted = filter.value.trim().toLowerCase();
-    const found = (id: Id): boolean => {
-        const lamp = lamps.get(id);
-        if (!lamp) return false;
-        return !wanted || `${lamp.name} ${lamp.kind} ${groups.get(lamp.group)?.name ?? ''}`.toLowerCase().includes(wanted);
-    };
+    const all = lamps.listed();
+    const own = groups.listed();
+    const called = new Map(own.map(([id, group]) => [id, group.name]));
+    const found = new Map(all.filter(([, lamp]) =>
+        !wanted || `${lamp.name} ${lamp.kind} ${called.get(lamp.group ?? -1) ?? ''}`.toLowerCase().includes(wanted)));
     if (sort.value !== 'group' && listing.value === 'sheet') {
         const key = sort.value;
-        const list = lamps.all().filter(([id]) => found(id));
+        const list = [...found];
         list.sort(([, a], [, b]) => (key === 'name' ? a.name.localeCompare(b.name, 'en', { numeric: true }) : b[key] - a[key]));
         return list.map(([id]) => ({ kind: 'lamp', id, depth: 0 }));
     }
     const out: Row[] = [];
     const grouped = new Set<Id>();
-    for (const [id, group] of groups.all()) {
+    for (const [id, group] of own) {
         group.lamps.forEach((lamp) => grouped.add(lamp));
-        const members = group.lamps.filter(found);
+        const members = group.lamps.filter((lamp) => found.has(lamp));
         if (!members.length) continue;
         if (group.lamps.length === 1) {
             out.push({ kind: 'lamp', id: members[0], depth: 0 });
@@ -45,7 +45,7 @@ export const rows = computed<Row[]>(() => {
         out.push({ kind: 'group', id, depth: 0 });
         if (!folded.value.has(id) || wanted) members.forEach((lamp) => out.push({ kind: 'lamp', id: lamp, depth: 1 }));
     }
-    for (const id of lamps.ids.value) if (!grouped.has(id) && found(id)) out.push({ kind: 'lamp', id, depth: 0 });
+    for (const [id] of found) if (!grouped.has(id)) out.push({ kind: 'lamp', id, depth: 0 });
     return out;
 });
 
@@ -125,12 +125,6 @@ export function Lamps() {
                     <button class="item" aria-disabled="true" title="Photometric files come with a later version"><span>IES or LDT file…</span><kbd>later</kbd></button>
                 </Menu>
             </div>
-            {chosenLamps.value.length > 1 && (
-                <p class="several">
-                    {chosenLamps.value.length} selected; a fader moves them in proportion
-                    <button onClick={() => act('none')}>None</button>
-                </p>
-            )}
             {sheet && <Later part="SheetHead" />}
             <Virtual
                 label="Lamps and groups"
@@ -143,6 +137,12 @@ export function Lamps() {
                     return Part && <Part key={`${row.kind}${row.id}`} row={row} index={k} count={list.length} />;
                 }}
             />
+            {chosenLamps.value.length > 1 && (
+                <p class="several">
+                    {chosenLamps.value.length} selected; a fader moves them in proportion
+                    <button onClick={() => act('none')}>None</button>
+                </p>
+            )}
             {!list.length && lamps.ids.value.length > 0 && <p class="quiet empty">No lamp is called so.</p>}
         </section>
     );

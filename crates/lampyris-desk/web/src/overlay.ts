@@ -84,6 +84,9 @@ export function boxPath(lens: Lens, box: [Vec, Vec]): string {
     return EDGES.map(([a, b]) => lens.line(points[a], points[b])).join('');
 }
 
+/** Of more lamps than these only those that are selected or pointed at are marked. */
+const MANY = 150;
+
 interface Mark {
     group: SVGElement;
     label: SVGElement;
@@ -142,6 +145,7 @@ export function overlayOn(svg: SVGSVGElement): () => void {
         const over = hovered.value;
         let aims = '';
         let selectedBoxes = '';
+        const few = lamps.ids.value.length <= MANY;
         const list = lamps.all().map(([id, lamp]) => {
             const selected = now?.kind === 'lamp' ? now.ids.includes(id) : now?.kind === 'group' && now.ids.includes(lamp.group ?? -1);
             const under = over?.kind === 'lamp' ? over.id === id : over?.kind === 'group' && over.id === lamp.group;
@@ -152,7 +156,7 @@ export function overlayOn(svg: SVGSVGElement): () => void {
                 const to = lamp.place.aim ?? add(movable, lamp.place.direction);
                 aims += through.line(movable, to);
             }
-            const visible = selected || under || (lampMarks.value && (lamp.own || lamp.place?.position));
+            const visible = selected || under || (few && lampMarks.value && (lamp.own || lamp.place?.position));
             const state = `${selected ? 'selected' : ''} ${under ? 'under' : ''} ${output(lamp) ? '' : 'off'}`;
             return { id, at: point && visible ? through.at(point) : null, label: selected || under ? lamp.name : '', state };
         });

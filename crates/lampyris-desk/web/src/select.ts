@@ -22,7 +22,7 @@ export const handles = signal<'move' | 'turn'>('move');
 /** Lamps that an edit of the selection concerns: those selected, or the members of the groups selected. */
 export const chosenLamps = computed<Id[]>(() => {
     const now = selection.value;
-    if (now?.kind === 'lamp') return now.ids.filter((id) => lamps.get(id));
+    if (now?.kind === 'lamp') return now.ids.filter((id) => lamps.has(id));
     if (now?.kind === 'group') return now.ids.flatMap((id) => groups.get(id)?.lamps ?? []);
     return [];
 });

@@ -76,10 +76,18 @@ export class Entry<T extends object> {
     }
 }
 
+/** Where an entry stands in lists. */
+function place(entry: object): string {
+    const { name, group, lamps: members } = entry as { name?: string; group?: Id; lamps?: Id[] };
+    return `${name} ${group} ${members}`;
+}
+
 /** A numbered family of entries. */
 export class Slice<T extends object> {
     /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
     readonly ids = signal<Id[]>([]);
+    /** Grows when an entry is called otherwise or belongs elsewhere: what lists are made of. */
+    readonly order = signal(0);
     private entries = new Map<Id, Entry<T>>();
 
     get(id: Id | null | undefined): T | undefined {
@@ -90,8 +98,19 @@ export class Slice<T extends object> {
         return undefined;
     }
 
+    has(id: Id): boolean {
+        void this.ids.value;
+        return this.entries.has(id);
+    }
+
     entry(id: Id): Entry<T> | undefined {
         return this.entries.get(id);
+    }
+
+    /** All entries as they are; whoever asks inside of an effect hears only of what changes lists. */
+    listed(): [Id, T][] {
+        void this.order.value;
+        return this.ids.value.map((id) => [id, (this.entries.get(id) as Entry<T>).shown.peek()]);
     }
 
     /** All entries; whoever asks inside of an effect hears of each change. */
@@ -112,8 +131,10 @@ export class Slice<T extends object> {
             const id = Number(key);
             const entry = this.entries.get(id);
             if (value === null) listed = this.entries.delete(id) || listed;
-            else if (entry) entry.receive(value);
-            else {
+            else if (entry) {
+                if (place(entry.shown.peek()) !== place(value)) this.order.value++;
+                entry.receive(value);
+            } else {
                 this.entries.set(id, new Entry(value));
                 listed = true;
             }

@@ -110,6 +110,8 @@ export interface Meter {
     point: Vec;
     normal: Vec;
     lux?: Measured | null;
+    /** What it shall read [lx]. */
+    target?: number | null;
 }
 
 export interface Grid {
@@ -138,6 +140,10 @@ export interface FalseColor {
     scale: 'log' | 'linear';
     palette: string;
     lines: boolean;
+    /** The program's: colours from low to high, palettes that there are, ticks and where they stand, 0 to 1. */
+    colors?: string[];
+    palettes?: string[];
+    ticks?: [number, number][];
 }
 
 export interface Display {

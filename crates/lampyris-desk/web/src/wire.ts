@@ -4,7 +4,7 @@
 
 import { signal } from '@preact/signals';
 import { counters, note } from './counters';
-import { receivePatch, receiveState, releaseUpTo, status } from './store';
+import { editor, receivePatch, receiveState, releaseUpTo, status } from './store';
 import type { Status } from './types';
 
 /** How we stand with the program. */
@@ -108,7 +108,8 @@ function receive(message: Message): void {
             receiveState((message.state as Record<string, unknown>) ?? message);
             break;
         case 'patch':
-            advance(message.seq as number);
+            // What somebody else changed says nothing of our own messages.
+            if (message.by == null || String(message.by) === me.value) advance(message.seq as number);
             receivePatch((message.patch as Record<string, unknown>) ?? {}, followed.value);
             break;
         case 'status':
@@ -162,7 +163,7 @@ function open(): void {
         if (fresh !== socket) return;
         if (typeof event.data !== 'string') {
             const head = takeFrame(event.data as ArrayBuffer);
-            if (head) advance(head.seq);
+            if (head && editor.value.you) advance(head.seq);
             return;
         }
         const message = JSON.parse(event.data) as Message;
@@ -202,9 +203,11 @@ async function lost(greeted: boolean): Promise<void> {
     open();
 }
 
+/** True if somebody answers at all. */
 async function reachable(): Promise<boolean> {
     try {
-        return (await fetch('/', { method: 'HEAD', cache: 'no-store' })).ok;
+        await fetch('/', { cache: 'no-store' });
+        return true;
     } catch {
         return false;
     }

@@ -44,6 +44,7 @@ test('a fader that is dragged dims the picture, in one step of undo that says wh
     // All lamps with one drag: the first, with all selected.
     await page.locator('#view').focus();
     await page.keyboard.press('Control+a');
+    await rows.first().scrollIntoViewIfNeeded();
     const fader = await rows.first().locator('input.level').boundingBox();
     await page.mouse.move(fader.x + fader.width - 8, fader.y + fader.height / 2);
     await page.mouse.down();

@@ -1,7 +1,7 @@
 // Everything one can do, by name.
 
 import {
-    adding, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
+    adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
     exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
     highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, say, scene, selection, send,
     sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
@@ -104,7 +104,7 @@ const list: Action[] = [
         id: 'quantity', group: 'Seeing', label: 'False colour of lux or of cd/m²', keys: 'Shift+B',
         run: () => {
             const now = falseColor();
-            show({ false_color: { ...now, quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
+            show({ false_color: { ...asked(now), quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
         },
     },
     { id: 'darker', group: 'Seeing', label: 'Darker by a third of a stop', keys: ',', run: () => exposeBy(1) },
@@ -115,6 +115,7 @@ const list: Action[] = [
     { id: 'meter', group: 'Measure', label: 'Meter under the pointer', keys: 'P', why: whyNot, run: () => (spot.peek() ? addMeter(spot.peek()!.point, spot.peek()!.normal) : startTool('meter')) },
     { id: 'meter-tool', group: 'Measure', label: 'Lay a meter by pointing', run: () => startTool('meter'), why: whyNot },
     { id: 'grid', group: 'Measure', label: 'Lay a grid by two corners', keys: 'Shift+G', run: () => startTool('grid'), why: whyNot },
+    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach' }), why: whyNot },
     { id: 'units', group: 'Measure', label: 'Lux or foot-candles', run: () => (candles.value = candles.peek() === 'lx' ? 'fc' : 'lx') },
     { id: 'look-store', group: 'Looks', label: 'Store a look', keys: 'Ctrl+Enter', run: storeLook, why: whyNot },
     { id: 'look-recall', group: 'Looks', label: 'Recall a look by its digit', keys: 'J, then 1…9', run: () => say('Press J, then the digit of the look.') },

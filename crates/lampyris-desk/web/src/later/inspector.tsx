@@ -1,6 +1,6 @@
 // The inspector: what is selected, or, with nothing selected, the scene, its things, its materials, the history.
 
-import { act, deselect, Icon, selection, signal } from '../desk';
+import { act, deselect, Icon, penless, selection, signal } from '../desk';
 import { GridInspector, MeterInspector } from './measure';
 import { LampInspector } from './lamp';
 import { HistoryTab, MaterialsTab, SceneTab, ThingsTab } from './scene';
@@ -47,11 +47,14 @@ export function Inspector() {
                 <span class="gap" />
                 <button class="icon" aria-label="Select nothing" title="Select nothing (Esc)" onClick={deselect}><Icon name="close" /></button>
             </nav>
-            {(now.kind === 'lamp' || now.kind === 'group') && <LampInspector />}
-            {now.kind === 'thing' && <ThingInspector />}
-            {now.kind === 'material' && <MaterialInspector />}
-            {now.kind === 'meter' && <MeterInspector />}
-            {now.kind === 'grid' && <GridInspector />}
+            {penless.value && <p class="penless">{penless.value}</p>}
+            <fieldset class="editing" disabled={penless.value !== null}>
+                {(now.kind === 'lamp' || now.kind === 'group') && <LampInspector />}
+                {now.kind === 'thing' && <ThingInspector />}
+                {now.kind === 'material' && <MaterialInspector />}
+                {now.kind === 'meter' && <MeterInspector />}
+                {now.kind === 'grid' && <GridInspector />}
+            </fieldset>
         </>
     );
 }

@@ -1,6 +1,6 @@
 // The legend of false colour: always in the picture, its ends are dragged or typed, and nothing ever moves it by itself.
 
-import { candles, display, Field, show, three, useRef, type FalseColor } from '../desk';
+import { asked, candles, display, Field, show, three, useRef, type FalseColor } from '../desk';
 
 const STEPS = [1, 2, 5];
 
@@ -29,7 +29,7 @@ export function place(value: number, f: FalseColor): number {
 }
 
 const set = (f: FalseColor, change: Partial<FalseColor>) => {
-    const next = { ...f, ...change };
+    const next = asked({ ...f, ...change });
     if (next.scale === 'log') next.low = Math.max(next.low, 1e-3);
     if (next.high > next.low * 1.01) show({ false_color: next });
 };
@@ -49,8 +49,8 @@ export function Legend() {
     const illuminance = f.quantity === 'illuminance';
     const unit = illuminance ? (fc ? 'fc' : 'lx') : fc ? 'fL' : 'cd/m²';
     const factor = fc ? (illuminance ? 1 / 10.7639 : 0.2919) : 1;
-    const colors = (f as FalseColor & { colors?: string[] }).colors;
-    const bar = colors?.length ? `linear-gradient(to top, ${colors.join(', ')})` : undefined;
+    const bar = f.colors?.length ? `linear-gradient(to top, ${f.colors.join(', ')})` : undefined;
+    const marks = f.ticks ?? ticks(f.low, f.high, f.scale).map((v) => [v, place(v, f)]);
 
     const ends = (end: 'low' | 'high') => ({
         onPointerDown: (e: PointerEvent) => {
@@ -106,8 +106,8 @@ export function Legend() {
             </header>
             <End end="high" />
             <div class="scale" style={{ background: bar }}>
-                {ticks(f.low, f.high, f.scale).map((v) => (
-                    <span key={v} style={{ bottom: `${100 * place(v, f)}%` }}>{String(Number((v * factor).toPrecision(2)))}</span>
+                {marks.map(([v, at]) => (
+                    <span key={v} style={{ bottom: `${100 * at}%` }}>{String(Number((v * factor).toPrecision(2)))}</span>
                 ))}
             </div>
             <End end="low" />
@@ -119,7 +119,7 @@ export function Legend() {
                     value={f.palette}
                     onChange={(e) => set(f, { palette: e.currentTarget.value })}
                 >
-                    {(f as FalseColor & { palettes?: string[] }).palettes?.map((name) => <option key={name}>{name}</option>)
+                    {f.palettes?.map((name) => <option key={name}>{name}</option>)
                         ?? <option>{f.palette}</option>}
                 </select>
             </footer>

@@ -29,6 +29,7 @@ export function MeterInspector() {
                         </select>
                     </label>
                     <Triple label="Point" quantity="length" step={0.01} value={meter.point} set={(axis, apply) => set('move', { point: changed(meter.point, axis, apply) })} />
+                    <Line label="Shall read" quantity="lux" step={50} value={meter.target ?? 0} set={(apply) => set('target', { target: apply(meter.target ?? 0) || null })} />
                     <Triple label="Faces" quantity="number" step={0.1} value={meter.normal.map((v) => Math.round(v * 1e3) / 1e3)} set={(axis, apply) => set('turn', { normal: changed(meter.normal, axis, apply) })} />
                     <button class="plain full" onClick={() => {
                         deselect();

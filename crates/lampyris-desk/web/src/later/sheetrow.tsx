@@ -1,7 +1,7 @@
 // A lamp or a group as a line of the sheet.
 
 import {
-    act, colorText, cost, css, Field, groups, hovered, Icon, lamps, output, pickRow, select, selection, switchOn, three, typeGroupLevel,
+    act, colorText, cost, css, Field, groups, hovered, Icon, lamps, output, penless, pickRow, select, selection, switchOn, three, typeGroupLevel,
     typeLevel, type Row,
 } from '../desk';
 
@@ -23,6 +23,7 @@ export function SheetRow({ row, index, count }: { row: Row; index: number; count
         const member = lamps.get(id);
         return sum + (member ? member.flux * output(member) : 0);
     }, 0);
+    const locked = penless.value;
     const under = hovered.value?.kind === row.kind && hovered.value.id === row.id;
     return (
         <div
@@ -34,7 +35,7 @@ export function SheetRow({ row, index, count }: { row: Row; index: number; count
             onPointerEnter={() => (hovered.value = { kind: row.kind, id: row.id })}
             onPointerLeave={() => (hovered.value = null)}
         >
-            <button class="icon power" aria-pressed={entry.on} aria-label={`${entry.name} on`} onClick={() => switchOn(row as { kind: 'lamp'; id: number }, !entry.on)}>
+            <button class="icon power" aria-pressed={entry.on} disabled={locked !== null} title={locked ?? undefined} aria-label={`${entry.name} on`} onClick={() => switchOn(row as { kind: 'lamp'; id: number }, !entry.on)}>
                 <Icon name="power" />
             </button>
             <button class="row-name" aria-pressed={selected} title={lamp ? cost(lamp) : undefined} onClick={(e) => pickRow(e, row.kind, row.id)} onDblClick={() => act('frame')}>
@@ -46,6 +47,8 @@ export function SheetRow({ row, index, count }: { row: Row; index: number; count
                 value={entry.level}
                 flux={lamp?.flux}
                 step={0.01}
+                disabled={locked !== null}
+                why={locked}
                 set={(apply) => (lamp ? typeLevel([row.id], apply) : typeGroupLevel(row.id, apply))}
             />
             <span class="lumens">{three(lumens)}</span>

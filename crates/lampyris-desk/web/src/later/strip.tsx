@@ -84,6 +84,7 @@ function Readings() {
                 <button class="tab" onClick={() => (tab.value = 'looks')}>Looks</button>
                 <button class="icon" aria-label="Lay a meter" title="Lay a meter by pointing" onClick={() => act('meter-tool')}><Icon name="meter" /></button>
                 <button class="icon" aria-label="Lay a grid" title="Lay a grid by two corners" onClick={() => act('grid')}><Icon name="grid" /></button>
+                <button onClick={() => act('reach')} title="Set levels so that meters and areas come nearest to their targets">Reach targets</button>
                 <button onClick={saveCsv} title="Save all figures as CSV">CSV</button>
                 <span class="gap" />
                 <span class="quiet">{kept === 1 ? 'new installation' : `× ${digits(kept, 2)} maintained`}</span>
@@ -97,7 +98,10 @@ function Readings() {
                             <button class="reading" aria-pressed={selection.value?.kind === 'meter' && selection.value.ids.includes(id)} onClick={() => select('meter', id)}>
                                 <span class="tint"><Icon name="meter" />{meter.name}</span>
                                 <strong class={poor ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
-                                <small>{lux ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}</small>
+                                <small>
+                                    {lux ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
+                                    {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
+                                </small>
                             </button>
                         </li>
                     );

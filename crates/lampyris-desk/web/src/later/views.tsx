@@ -1,6 +1,9 @@
 // The strip of views: home, before and after, and the saved ones by number.
 
-import { act, cut, digits, edit, go, Icon, Range, setCut, storeView, viewName, views } from '../desk';
+import { act, cut, digits, edit, go, Icon, Range, setCut, signal, storeView, viewName, views } from '../desk';
+
+/** The view whose name is being typed. */
+const renaming = signal<number | null>(null);
 
 export function ViewStrip() {
     const saved = views.all();
@@ -11,18 +14,36 @@ export function ViewStrip() {
             <button class="icon" aria-label="The view before" title="The view before (Alt+←)" onClick={() => act('back')}><Icon name="back" /></button>
             <button class="icon" aria-label="The view after" title="The view after (Alt+→)" onClick={() => act('forth')}><Icon name="forth" /></button>
             <span class="divide" />
-            {saved.map(([id, camera], k) => (
+            {saved.map(([id, camera], k) => (renaming.value === id ? (
+                <span class="field" key={id}>
+                    <input
+                        type="text"
+                        aria-label="Name of the view"
+                        value={camera.name ?? ''}
+                        maxLength={60}
+                        ref={(input) => input?.focus()}
+                        onBlur={(e) => {
+                            const name = e.currentTarget.value.trim();
+                            renaming.value = null;
+                            if (name && name !== camera.name) edit(`Rename the view ${name}`, { views: { [id]: { ...camera, name } } });
+                        }}
+                        onKeyDown={(e) => {
+                            e.stopPropagation();
+                            if (e.key === 'Escape') e.currentTarget.value = camera.name ?? '';
+                            if (e.key === 'Enter' || e.key === 'Escape') e.currentTarget.blur();
+                        }}
+                    />
+                </span>
+            ) : (
                 <button
                     key={id}
                     class="saved-view"
                     aria-pressed={viewName.value === camera.name}
-                    title={`${camera.name ?? 'View'} (Alt+${k + 1}); double click to rename, Delete to remove`}
+                    title={`${camera.name ?? 'View'} (Alt+${k + 1}); double click or F2 renames, Delete removes`}
                     onClick={() => go(camera, camera.name ?? 'view')}
-                    onDblClick={() => {
-                        const name = prompt('Name of the view', camera.name ?? '');
-                        if (name) edit(`Rename the view ${name}`, { views: { [id]: { ...camera, name } } });
-                    }}
+                    onDblClick={() => (renaming.value = id)}
                     onKeyDown={(e) => {
+                        if (e.key === 'F2') renaming.value = id;
                         if (e.key !== 'Delete') return;
                         e.stopPropagation();
                         edit(`Remove the view ${camera.name ?? ''}`, { views: { [id]: null } });
@@ -30,7 +51,7 @@ export function ViewStrip() {
                 >
                     <small>{k + 1}</small> {camera.name ?? `View ${id + 1}`}
                 </button>
-            ))}
+            )))}
             <button class="icon" aria-label="Store this view" title="Store this view (Alt+0)" onClick={storeView}><Icon name="plus" /></button>
         </nav>
     );
