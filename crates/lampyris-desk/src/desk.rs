@@ -97,6 +97,8 @@ pub(crate) enum Event {
     /// Edits were written down, or could not be.
     Saved {
         saved: Value,
+        /// How many times of saving that was the last of.
+        times: u32,
     },
     /// Nothing happened for a while.
     Idle,
@@ -260,13 +262,18 @@ impl Desk {
                     (self.show.ev, self.metered) = (Some(ev), true);
                     self.tell_patch(json!({"display": self.display()}));
                 }
-                Event::Saved { saved } => {
-                    self.saving = 0;
-                    self.saved = saved;
-                    if self.unsaved.is_some() && self.saved["state"] == "saved" {
+                Event::Saved { saved, times } => {
+                    self.saving = self.saving.saturating_sub(times);
+                    let before = std::mem::replace(&mut self.saved, saved);
+                    if self.saved["state"] == "failed" {
+                        // Until there is room again, or another folder.
+                        self.unsaved.get_or_insert_with(Instant::now);
+                    } else if self.unsaved.is_some() {
                         self.saved["state"] = "waiting".into();
                     }
-                    self.tell_patch(json!({"saved": self.saved}));
+                    if self.saved != before {
+                        self.tell_patch(json!({"saved": self.saved}));
+                    }
                     self.print();
                 }
                 Event::Lit { client, id, answer, done } => {

@@ -88,6 +88,8 @@ struct Stage {
     document: Document,
     saver: Saver,
     look: Arc<Look>,
+    /// The last camera that was no section: that one is kept.
+    plain: Camera,
     camera: Arc<CameraText>,
     size: [u32; 2],
     sketch: [u32; 2],
@@ -139,10 +141,11 @@ pub(crate) fn run(
         opened.document.scene = scene;
         opened.document.warnings.extend(lost.iter().map(|lost| format!("an edit is left out: {lost}")));
         opened.camera = Some(stage.look.camera());
-        let Stage { saver, size, camera, .. } = stage;
+        let Stage { saver, size, camera, look, plain, .. } = stage;
         let options = Options { size, ..options.clone() };
         stage = Stage::open(opened, document, saver, &options, inbox)?;
-        stage.camera = camera;
+        stage.session.cut(look.near)?;
+        (stage.camera, stage.look, stage.plain) = (camera, look, plain);
         inbox.put(Event::Reloaded { lost });
     }
     Ok(())
@@ -191,7 +194,7 @@ impl Stage {
         let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
         let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
         let look = Arc::new(Look::from(&camera));
-        world.apply(&Edit::View { camera: Some(camera) })?;
+        world.apply(&Edit::View { camera: Some(camera.clone()) })?;
         let mut model = opening::open(&world);
         let lost = saving::restore(&mut model, &own.desk);
         let lost = lost.into_iter().map(|lost| format!("not found any more: {lost}"));
@@ -206,6 +209,7 @@ impl Stage {
             saver,
             camera: Arc::new(camera_text(&look, 0)),
             look,
+            plain: camera,
             size,
             sketch: [0; 2],
             enough: batches,
@@ -220,7 +224,8 @@ impl Stage {
 
     /// What was edited, with what the desk keeps.
     fn document(&self, desk: Value) -> Result<Document> {
-        let mut document = Document::of(&self.before, self.session.scene()?);
+        let scene = Scene { view: Some(self.plain.clone()), ..document::outline(self.session.scene()?) };
+        let mut document = Document::of(&self.before, &scene);
         document.scene = self.document.scene.clone();
         (document.layers, document.desk) = (Some(GROUPS as u32), desk);
         Ok(document)
@@ -333,6 +338,9 @@ impl Stage {
                 self.session.cut(look.near)?;
             }
             self.session.edit(&Edit::View { camera: Some(look.camera()) })?;
+            if look.near == 0.0 {
+                self.plain = look.camera();
+            }
             self.look = Arc::new(look);
         }
         if let Some(meters) = work.meters {
