@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var E, Gr, Mo, Ne, xo, Tn, Xr, Cn, Yr, Co, So, is, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], as = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, tt = Object.assign;
-function et(e) {
+var E, Xr, Mo, Fe, xo, Tn, Yr, Cn, Qr, Co, So, as, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ss = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function Qr(e, t, n) {
+function Jr(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
   return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Gr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Xr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -18,38 +18,38 @@ function X(e) {
 function gt(e, t) {
   this.props = e, this.context = t, this.__g = 0;
 }
-function qe(e, t) {
-  if (t == null) return e.__ && qe(e.__, e.__i + 1);
+function Ne(e, t) {
+  if (t == null) return e.__ && Ne(e.__, e.__i + 1);
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
-  return typeof e.type != "function" || e.props.__P ? null : qe(e);
+  return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function ss(e) {
+function ls(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, oi(r, t, i), n.__ = n.__e = null, t.__e != o && Jr(t));
+  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ri(r, t, i), n.__ = n.__e = null, t.__e != o && Zr(t));
 }
-function Jr(e) {
+function Zr(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), Jr(e);
+  }), Zr(e);
 }
-function Br(e) {
-  (8 & e.__g || (e.__g |= 8, Ne.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(Zr);
+function zr(e) {
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ei);
 }
-function Zr() {
+function ei() {
   try {
-    for (var e, t = 1; Ne.length; ) Ne.length > t && Ne.sort(Xr), e = Ne.shift(), t = Ne.length, 8 & e.__g && ss(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Yr), e = Fe.shift(), t = Fe.length, 8 & e.__g && ls(e);
   } finally {
-    (Tn = Ne.length) && (xo || queueMicrotask)(Zr);
+    (Tn = Fe.length) && (xo || queueMicrotask)(ei);
   }
 }
-function ei(e, t, n, o, r, i, a, s, p, c, u) {
+function ti(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = ls(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ti(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = us(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ni(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function ls(e, t, n, o, r) {
+function us(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = us(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = cs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -57,21 +57,21 @@ function ls(e, t, n, o, r) {
     }
     for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : k[i].__u |= 4);
   }
-  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), Lo(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
   return o;
 }
-function ti(e, t, n, o) {
+function ni(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ti(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ni(r[i], t, n, !1));
     return t;
   }
-  for (t && !t.parentNode && (t = qe(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
+  for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function us(e, t, n, o) {
+function cs(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function us(e, t, n, o) {
   }
   return -1;
 }
-function zr(e, t, n) {
+function Gr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function Mn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || zr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || zr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Gr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Gr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = cs(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Yr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Qr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function cs(e) {
+function fs(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -112,30 +112,30 @@ function cs(e) {
   };
 }
 function Po(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k, _, C, Me, Ze, fe, ve, h, v, $, L = t.type;
+  var u, d, m, f, b, y, w, x, k, _, C, Me, Je, fe, ve, h, v, $, L = t.type;
   if (t.constructor !== zt) return null;
   128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = En(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ps), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ds), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
-          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = qe(n);
+          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = Ne(n);
           break e;
         }
         f.componentWillUpdate && f.componentWillUpdate(x, f.__s, C), k && f.componentDidUpdate && f.__h.push(function() {
           f.componentDidUpdate(b, y, w);
         });
       } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Ze = k ? 25 : 0;
+      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Je = k ? 25 : 0;
       do
         f.__g &= -9, Me && Me(t), u = f.render(f.props, f.state = f.__s, f.context);
-      while (8 & f.__g && ++Ze < 25);
-      k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
+      while (8 & f.__g && ++Je < 25);
+      k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
         V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = ei(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ti(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (V) {
       if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
@@ -152,11 +152,11 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
           ve = s;
         }
         (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
-      } else i && i.some(et);
+      } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ni(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || oi(t), E.__e(V, t, n);
     }
-  } else s = t.__e = fs(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = ps(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
 function En(e, t) {
@@ -168,10 +168,10 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function ni(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ni));
+function oi(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(oi));
 }
-function oi(e, t, n) {
+function ri(e, t, n) {
   for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
   E.__c && E.__c(t, e), e.some(function(r) {
     try {
@@ -183,7 +183,7 @@ function oi(e, t, n) {
     }
   });
 }
-function fs(e, t, n, o, r, i, a, s, p, c) {
+function ps(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function fs(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && as.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ei(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(et)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ti(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -221,14 +221,14 @@ function Lo(e, t, n) {
     o.__P = o.__n = null;
   }
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(et), et(r), et(o)), n || et(e.__e), e.__e = e.__c = e.__ = null;
+  !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ps(e, t, n) {
+function ds(e, t, n) {
   return this.constructor(e, n);
 }
-function ri(e, t) {
+function ii(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), oi(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ri(r, t.__k, i), t.__k.props.children = null;
 }
 E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,31 +240,31 @@ E = { __e: function(e, t, n, o) {
     }
   }
   throw Tn = 0, e;
-} }, Gr = 0, Mo = function(e) {
+} }, Xr = 0, Mo = function(e) {
   return e != null && e.constructor === zt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = tt({}, this.state)), typeof e == "function" && (e = e(tt({}, n), this.props)), e && (tt(n, e), this.__v && (t && this.__k.push(t), Br(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), zr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Br(this));
-}, gt.prototype.render = X, Ne = [], Tn = 0, Xr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), zr(this));
+}, gt.prototype.render = X, Fe = [], Tn = 0, Yr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Yr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, is = 0;
+}, Cn = /* @__PURE__ */ Symbol(), Qr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, as = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, ii, ds = Object.is, Io = 0, mi = [], Ao = [], j = E, ai = j.__b, si = j.__r, li = j.diffed, ui = j.__c, ci = j.unmount, fi = j.__;
-function Ho(e, t) {
+var Xt, re, Vo, ai, ms = Object.is, Io = 0, hi = [], Ao = [], j = E, si = j.__b, li = j.__r, ui = j.diffed, ci = j.__c, fi = j.unmount, pi = j.__;
+function Oo(e, t) {
   j.__h && j.__h(re, e, Io || t), Io = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
 function Ce(e, t) {
-  var n = Ho(Xt++, 3);
-  !j.__s && Ko(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
+  var n = Oo(Xt++, 3);
+  !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function ms(e, t) {
-  var n = Ho(Xt++, 4);
-  !j.__s && Ko(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+function hs(e, t) {
+  var n = Oo(Xt++, 4);
+  !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
 function te(e) {
   return Io = 5, Ln(function() {
@@ -272,10 +272,10 @@ function te(e) {
   }, []);
 }
 function Ln(e, t) {
-  var n = Ho(Xt++, 7);
-  return Ko(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+  var n = Oo(Xt++, 7);
+  return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function hs() {
+function vs() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
@@ -283,7 +283,7 @@ function hs() {
     } catch (n) {
       j.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = mi.shift(); ) {
+    for (; e = hi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
@@ -294,19 +294,19 @@ function hs() {
   } while (Ao.length);
 }
 j.__b = function(e) {
-  re = null, ai && ai(e);
+  re = null, si && si(e);
 }, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), fi && fi(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), pi && pi(e, t);
 }, j.__r = function(e) {
-  si && si(e), Xt = 0;
+  li && li(e), Xt = 0;
   var t = (re = e.__c).__H;
   t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Vo = re;
 }, j.diffed = function(e) {
-  li && li(e);
+  ui && ui(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && di(mi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && mi(hi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Vo = re = null;
 }, j.__c = function(e, t) {
@@ -320,9 +320,9 @@ j.__b = function(e) {
         throw o;
       }];
     }
-  }), ui && ui(e, t);
+  }), ci && ci(e, t);
 }, j.unmount = function(e) {
-  ci && ci(e);
+  fi && fi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, di(Ao.push(r));
+        r.__P = n, mi(Ao.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
-var pi = typeof requestAnimationFrame == "function";
-function vs(e) {
+var di = typeof requestAnimationFrame == "function";
+function gs(e) {
   var t, n = function() {
-    clearTimeout(o), pi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), di && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  pi && (t = requestAnimationFrame(n));
+  di && (t = requestAnimationFrame(n));
 }
-function di(e) {
-  e != 1 && ii == j.requestAnimationFrame || ((ii = j.requestAnimationFrame) || vs)(hs);
+function mi(e) {
+  e != 1 && ai == j.requestAnimationFrame || ((ai = j.requestAnimationFrame) || gs)(vs);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -356,14 +356,14 @@ function Ro(e) {
   var t = re;
   e.__c = e.__(), re = t;
 }
-function Ko(e, t) {
+function Ho(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !ds(n, e[o]);
+    return !ms(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var gs = /* @__PURE__ */ Symbol.for("preact-signals");
+var bs = /* @__PURE__ */ Symbol.for("preact-signals");
 function Rn() {
   if (Re > 1)
     Re--;
@@ -380,7 +380,7 @@ function Rn() {
       var n = Qt;
       for (Qt = void 0, Vn++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && vi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && gi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -391,39 +391,39 @@ function Rn() {
     if (Vn = 0, Re--, t) throw e;
   }
 }
-function Hn(e) {
+function On(e) {
   if (Re > 0) return e();
-  Oo = ++bs, Re++;
+  Ko = ++ys, Re++;
   try {
     return e();
   } finally {
     Rn();
   }
 }
-var Yt, H = void 0;
+var Yt, O = void 0;
 function ie(e) {
-  var t = H, n = Yt;
-  H = void 0, Yt = void 0;
+  var t = O, n = Yt;
+  O = void 0, Yt = void 0;
   try {
     return e();
   } finally {
-    H = t, Yt = n;
+    O = t, Yt = n;
   }
 }
-var Qt = void 0, Re = 0, Vn = 0, bs = 0, Oo = 0, In = void 0, An = 0;
-function hi(e) {
-  if (H !== void 0) {
+var Qt = void 0, Re = 0, Vn = 0, ys = 0, Ko = 0, In = void 0, An = 0;
+function vi(e) {
+  if (O !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== H)
-      return t = { i: 0, S: e, p: H.s, n: void 0, t: H, e: void 0, x: void 0, r: t }, H.s !== void 0 && (H.s.n = t), H.s = t, e.n = t, 32 & H.f && e.S(t), t;
+    if (t === void 0 || t.t !== O)
+      return t = { i: 0, S: e, p: O.s, n: void 0, t: O, e: void 0, x: void 0, r: t }, O.s !== void 0 && (O.s.n = t), O.s = t, e.n = t, 32 & O.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = H.s, t.n = void 0, H.s.n = t, H.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = O.s, t.n = void 0, O.s.n = t, O.s = t), t;
   }
 }
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = gs;
+Y.prototype.brand = bs;
 Y.prototype.h = function() {
   return !0;
 };
@@ -469,13 +469,13 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = hi(this);
+  var e = vi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
     if (Vn > 100) throw new Error("Cycle detected");
     (function(n) {
-      Re !== 0 && Vn === 0 && n.l !== Oo && (n.l = Oo, In = { S: n, v: n.v, i: n.i, o: In });
+      Re !== 0 && Vn === 0 && n.l !== Ko && (n.l = Ko, In = { S: n, v: n.v, i: n.i, o: In });
     })(this), this.v = e, this.i++, An++, Re++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
@@ -487,11 +487,11 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
 function g(e, t) {
   return new Y(e, t);
 }
-function vi(e) {
+function gi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function gi(e) {
+function bi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,82 +500,82 @@ function gi(e) {
     }
   }
 }
-function bi(e) {
+function yi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
   }
   e.s = n;
 }
-function nt(e, t) {
+function tt(e, t) {
   Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = An - 1, this.f = 4;
 }
-nt.prototype = new Y();
-nt.prototype.h = function() {
+tt.prototype = new Y();
+tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !vi(this))
+  if (this.g = An, this.f |= 1, this.i > 0 && !gi(this))
     return this.f &= -2, !0;
-  var e = H;
+  var e = O;
   try {
-    gi(this), H = this;
+    bi(this), O = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return H = e, bi(this), this.f &= -2, !0;
+  return O = e, yi(this), this.f &= -2, !0;
 };
-nt.prototype.S = function(e) {
+tt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
   Y.prototype.S.call(this, e);
 };
-nt.prototype.U = function(e) {
+tt.prototype.U = function(e) {
   if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
 };
-nt.prototype.N = function() {
+tt.prototype.N = function() {
   if (!(2 & this.f)) {
     this.f |= 6;
     for (var e = this.t; e !== void 0; e = e.x) e.t.N();
   }
 };
-Object.defineProperty(nt.prototype, "value", { get: function() {
+Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = hi(this);
+  var e = vi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
-  return new nt(e, t);
+  return new tt(e, t);
 }
-function yi(e) {
+function _i(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Re++;
-    var n = H;
-    H = void 0;
+    var n = O;
+    O = void 0;
     try {
       t();
     } catch (o) {
       throw e.f &= -2, e.f |= 8, Do(e), o;
     } finally {
-      H = n, Rn();
+      O = n, Rn();
     }
   }
 }
 function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, yi(e);
+  e.x = void 0, e.s = void 0, _i(e);
 }
-function ys(e) {
-  if (H !== this) throw new Error("Out-of-order effect");
-  bi(this), H = e, this.f &= -2;
+function _s(e) {
+  if (O !== this) throw new Error("Out-of-order effect");
+  yi(this), O = e, this.f &= -2;
   try {
     8 & this.f && Do(this);
   } finally {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, yi(this), gi(this), Re++;
-  var e = H;
-  return H = this, ys.bind(this, e);
+  this.f |= 1, this.f &= -9, _i(this), bi(this), Re++;
+  var e = O;
+  return O = this, _s.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Kn, _s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, _i = [], wi = [];
+var Fo, Zt, Hn, ws = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
 T(function() {
   Fo = this.N;
 })();
@@ -631,14 +631,14 @@ function yt(e, t) {
   });
 }
 function Jt(e) {
-  if (Kn) {
-    var t = Kn;
-    Kn = void 0, t();
+  if (Hn) {
+    var t = Hn;
+    Hn = void 0, t();
   }
-  Kn = e && e.S();
+  Hn = e && e.S();
 }
-function ki(e) {
-  var t = this, n = e.data, o = ot(n);
+function xi(e) {
+  var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Ln(function() {
     for (var s = t, p = t.__v; p = p.__; ) if (p.__c) {
@@ -651,7 +651,7 @@ function ki(e) {
     }), u = N(function() {
       return !Array.isArray(c.value) && !Mo(c.value);
     }), d = T(function() {
-      if (this.N = xi, u.value) {
+      if (this.N = Si, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function ki(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-ki.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Qr(X, null).constructor }, type: { configurable: !0, value: ki }, props: { configurable: !0, get: function() {
+xi.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Jr(X, null).constructor }, type: { configurable: !0, value: xi }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        _s && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        ws && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,18 +712,18 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = ws(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = ks(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function ws(e, t, n, o) {
+function ks(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: T(function() {
-    this.N = xi;
+    this.N = Si;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -772,53 +772,53 @@ gt.prototype.shouldComponentUpdate = function(e, t) {
   for (var s in this.props) if (!(s in e)) return !0;
   return !1;
 };
-function ot(e, t) {
+function nt(e, t) {
   return Ln(function() {
     return g(e, t);
   }, []);
 }
-var ks = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var xs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, xs = function(e) {
+}, Ss = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Ss() {
-  Hn(function() {
-    for (var e; e = _i.shift(); ) Fo.call(e);
-  });
-}
 function Ms() {
-  _i.push(this) === 1 && (E.requestAnimationFrame || ks)(Ss);
-}
-function Cs() {
-  Hn(function() {
+  On(function() {
     for (var e; e = wi.shift(); ) Fo.call(e);
   });
 }
-function xi() {
-  wi.push(this) === 1 && (E.requestAnimationFrame || xs)(Cs);
+function Cs() {
+  wi.push(this) === 1 && (E.requestAnimationFrame || xs)(Ms);
 }
-function Si(e, t) {
+function Es() {
+  On(function() {
+    for (var e; e = ki.shift(); ) Fo.call(e);
+  });
+}
+function Si() {
+  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Es);
+}
+function Mi(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
   Ce(function() {
     return T(function() {
-      if (this.N = Ms, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Cs, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/prefs.ts
-var Mi = "lampyris-";
+var Ci = "lampyris-";
 function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Mi + e);
+    let r = localStorage.getItem(Ci + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -826,12 +826,12 @@ function ue(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Mi + e, r);
+      localStorage.setItem(Ci + e, r);
     } catch {
     }
   }), o;
 }
-var No = ue("theme", "dark"), qo = ue("house-lights", 1), On = ue("hands", "default"), jo = ue("walking", "walk"), Uo = ue("panels", !0), _t = ue("listing", "faders"), Dn = ue("travel", "square"), wt = ue("candles", "lx"), Wo = ue("single-keys", !0), Bo = ue("lamp-marks", !0), Es = ue("maintenance", 1), je = ue("fine", !1), zo = ue("fade", 1), Ts = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ge = ue("look-only", Ts);
+var No = ue("theme", "dark"), qo = ue("house-lights", 1), Kn = ue("hands", "default"), jo = ue("walking", "walk"), Uo = ue("panels", !0), _t = ue("listing", "faders"), Dn = ue("travel", "square"), wt = ue("candles", "lx"), Wo = ue("single-keys", !0), Bo = ue("lamp-marks", !0), Ts = ue("maintenance", 1), qe = ue("fine", !1), zo = ue("fade", 1), Ps = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ge = ue("look-only", Ps);
 
 // src/store.ts
 var Fn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
@@ -885,7 +885,7 @@ var en = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Ci(e) {
+function Ei(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -924,44 +924,44 @@ var Ee = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Ci(a.shown.peek()) !== Ci(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new en(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Ei(a.shown.peek()) !== Ei(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new en(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, S = new Ee(), O = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Nn = new Ee(), tn = {
+}, S = new Ee(), K = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Nn = new Ee(), tn = {
   lamps: S,
-  groups: O,
+  groups: K,
   things: be,
   materials: xt,
   views: St,
   looks: Mt,
   meters: Ct,
   grids: Nn
-}, J = g(null), on = g([]), ke = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), D = g({ you: !0, name: null }), Te = g(null), qn = new en({
+}, J = g(null), on = g([]), ke = g([]), ot = g({ undo: null, redo: null, steps: 0 }), rt = g({ state: "clean", file: "" }), D = g({ you: !0, name: null }), Te = g(null), qn = new en({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), at = qn.shown, Go = {
+}), it = qn.shown, Go = {
   scene: J,
   layers: on,
   solo: ke,
-  history: rt,
-  saved: it,
+  history: ot,
+  saved: rt,
   editor: D,
   status: Te
 };
-function Ei(e) {
+function Ti(e) {
   Fn.clear();
   for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
   for (let [t, n] of Object.entries(Go)) t in e && (n.value = e[t]);
   kt(e.display) && qn.receive(e.display);
 }
-function Ti(e, t) {
+function Pi(e, t) {
   for (let [n, o] of Object.entries(e))
     n in tn ? tn[n].patch(o) : n === "display" ? qn.receive(o) : n in Go && (Go[n].value = o);
   Et(t);
@@ -969,7 +969,7 @@ function Ti(e, t) {
 function Et(e) {
   for (let t of [...Fn]) t.release(e);
 }
-function Pi(e, t) {
+function $i(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in tn && kt(o))
       for (let [r, i] of Object.entries(o)) {
@@ -978,28 +978,34 @@ function Pi(e, t) {
       }
     else n === "display" && kt(o) && t(qn, o);
 }
-var Xo = (e, t) => Pi(e, (n, o) => n.keep(o, t)), jn = (e, t) => Pi(e, (n, o) => n.settle(o, t));
-function He(e) {
-  let t = O.get(e.group);
+var Xo = (e, t) => $i(e, (n, o) => n.keep(o, t)), jn = (e, t) => $i(e, (n, o) => n.settle(o, t));
+function at(e) {
+  let t = K.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-var $i = N(() => {
+function Yo(e) {
+  return e.reduce((t, n) => {
+    let o = S.get(n);
+    return t + (o ? o.flux * at(o) : 0);
+  }, 0);
+}
+var Li = N(() => {
   let e = S.all();
-  return e.length > 0 && e.every(([, t]) => He(t) === 0);
+  return e.length > 0 && e.every(([, t]) => at(t) === 0);
 });
-function Ps(e, t) {
+function $s(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/say.ts
-var st = g([]), $s = 0;
+var st = g([]), Ls = 0;
 function ae(e, t = "plain") {
   if (st.peek().find((r) => r.text === e)) return;
-  let o = ++$s;
-  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Yo(o), t === "warn" ? 8e3 : 4e3);
+  let o = ++Ls;
+  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Qo(o), t === "warn" ? 8e3 : 4e3);
 }
-function Yo(e) {
+function Qo(e) {
   st.value = st.peek().filter((t) => t.id !== e);
 }
 
@@ -1011,13 +1017,13 @@ var se = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Li = 0;
+}, Vi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Li = t.timeStamp, { capture: !0, passive: !0 });
-function Vi(e, t) {
-  se.sent.push({ seq: e, what: t, at: performance.now(), input: Li }), se.sent.length > 1024 && se.sent.shift();
+  addEventListener(e, (t) => Vi = t.timeStamp, { capture: !0, passive: !0 });
+function Ii(e, t) {
+  se.sent.push({ seq: e, what: t, at: performance.now(), input: Vi }), se.sent.length > 1024 && se.sent.shift();
 }
-function Ii(e) {
+function Ai(e) {
   se.frame = e.frame, se.seqApplied = e.seq, se.firstDrawn ||= e.drawn, se.frames.push(e), se.frames.length > 1024 && se.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -1028,22 +1034,22 @@ function Ii(e) {
 window.__desk = se;
 
 // src/wire.ts
-var U = g("entering"), sn = g(0), pe = g("edit"), Un = g(null), Ke = g(0), Ai = () => null, Ri = (e) => {
-  Ai = e;
-}, Wn = /* @__PURE__ */ new Map(), Ue = null, rn = 0, Qo = null, an = 0, Tt = "", Bn = !1;
+var U = g("entering"), sn = g(0), pe = g("edit"), Un = g(null), Oe = g(0), Ri = () => null, Oi = (e) => {
+  Ri = e;
+}, Wn = /* @__PURE__ */ new Map(), je = null, rn = 0, Jo = null, an = 0, Tt = "", Bn = !1;
 function xe(e, t) {
   let n = Wn.get(e) ?? /* @__PURE__ */ new Set();
   return Wn.set(e, n.add(t)), () => n.delete(t);
 }
-function K(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, Ue.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Vi(rn, e.do), rn);
+function H(e) {
+  return !je || je.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, je.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Ii(rn, e.do), rn);
 }
-var Ls = 0, lt = /* @__PURE__ */ new Map();
+var Vs = 0, lt = /* @__PURE__ */ new Map();
 function Se(e, t, n, o = () => {
 }) {
-  let r = ++Ls, i = xe("answer", (s) => {
+  let r = ++Vs, i = xe("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
-  }), a = K({ do: "ask", id: r, what: e, ...t });
+  }), a = H({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
   lt.set(a, (s) => {
@@ -1055,26 +1061,26 @@ function Se(e, t, n, o = () => {
   }
   return i;
 }
-function Vs(e) {
+function Is(e) {
   switch (e.is) {
     case "hello":
-      if (an = 0, Qo !== null && e.build !== Qo) {
-        U.value = "renewed", Ue?.close();
+      if (an = 0, Jo !== null && e.build !== Jo) {
+        U.value = "renewed", je?.close();
         return;
       }
-      Qo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Un.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
+      Jo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Un.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      Ei(e.state ?? e);
+      Ti(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Un.value) && Jo(e.seq), Ti(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Un.value) && Zo(e.seq), Pi(e.patch ?? {}, Oe.value);
       break;
     case "status":
       Te.value = e;
       break;
     case "refused":
-      if (Jo(e.seq), Et(Ke.value), lt.has(e.seq)) {
+      if (Zo(e.seq), Et(Oe.value), lt.has(e.seq)) {
         lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
         return;
       }
@@ -1085,8 +1091,8 @@ function Vs(e) {
   }
   for (let t of [...Wn.get(e.is) ?? []]) t(e);
 }
-function Jo(e) {
-  typeof e == "number" && e > Ke.value && (Ke.value = e);
+function Zo(e) {
+  typeof e == "number" && e > Oe.value && (Oe.value = e);
 }
 async function Hi() {
   if (!Tt) return "in";
@@ -1104,21 +1110,21 @@ function Ki() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  Ue = t, Wn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
-    if (t !== Ue) return;
+  je = t, Wn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = Ai(o.data);
-      i && D.value.you && Jo(i.seq);
+      let i = Ri(o.data);
+      i && D.value.you && Zo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, rn = 0), Vs(r);
+    r.is === "hello" && (n = !0, rn = 0), Is(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Is(n));
+    t === je && (je = null, U.value !== "renewed" && As(n));
   };
 }
-async function Is(e) {
-  if (Et(1 / 0), !e && await As()) {
+async function As(e) {
+  if (Et(1 / 0), !e && await Rs()) {
     let o = await Hi();
     if (o === "denied" || o === "in" && an > 4 && !Tt) {
       U.value = "denied";
@@ -1133,14 +1139,14 @@ async function Is(e) {
     sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
   sn.value = 0, Ki();
 }
-async function As() {
+async function Rs() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Oi() {
+async function Di() {
   let e = location.hash.slice(1);
   if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", se.entered = performance.now(), e && await Hi() === "denied") {
     U.value = "denied";
@@ -1151,13 +1157,13 @@ async function Oi() {
 xe("hello", () => Bn = !1);
 
 // src/gesture.ts
-var Pt = 0, Ni = /* @__PURE__ */ new Set(), qi = (e) => {
-  Ni.add(e);
+var Pt = 0, qi = /* @__PURE__ */ new Set(), ji = (e) => {
+  qi.add(e);
 }, ln = /* @__PURE__ */ new Set(), zn = N(() => ge.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : D.value.you ? null : `${D.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function Gn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : zn.value;
 }
-var Di = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), We = class {
+var Fi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ue = class {
   constructor(t) {
     this.label = t;
   }
@@ -1169,21 +1175,21 @@ var Di = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (Xo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= Ke.peek() && this.flush());
+    this.state === "over" || !this.begin() || (Xo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), jn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Di(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), jn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Fi(t) } : {} })), this.state = "over";
   }
   cancel() {
     this.state === "held" && (this.waiting = null, jn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
-    this.waiting && this.under <= Ke.peek() && this.flush();
+    this.waiting && this.under <= Oe.peek() && this.flush();
   }
   /** The line is gone, and with it what was held. */
   drop() {
@@ -1192,35 +1198,35 @@ var Di = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = ie(Gn);
-    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Pt === 0 && Ni.forEach((n) => n()), Pt++ === 0 && (this.last = K({ do: "begin", label: Di(this.label) })), !0);
+    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Pt === 0 && qi.forEach((n) => n()), Pt++ === 0 && (this.last = H({ do: "begin", label: Fi(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    ln.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && K(t);
+    ln.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && H(t);
   }
 };
 function $e(e, t) {
-  let n = new We(e);
+  let n = new Ue(e);
   n.set(t), n.end();
 }
-function Rs(e, t) {
-  let n = new We(e);
+function Os(e, t) {
+  let n = new Ue(e);
   n.also(t), n.end();
 }
 function $t(e) {
-  ie(() => U.value) === "open" && (Xo({ display: e }, 1 / 0), jn({ display: e }, K({ do: "display", patch: e })));
+  ie(() => U.value) === "open" && (Xo({ display: e }, 1 / 0), jn({ display: e }, H({ do: "display", patch: e })));
 }
 var Pe = null;
-function Zo(e, t, n) {
-  Pe && Pe.key !== e && Fi(), Pe ??= { key: e, gesture: new We(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Fi, 700);
+function er(e, t, n) {
+  Pe && Pe.key !== e && Ni(), Pe ??= { key: e, gesture: new Ue(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Ni, 700);
 }
-function Fi() {
+function Ni() {
   Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
 }
 T(() => {
-  Ke.value, ie(() => [...ln].forEach((e) => e.followed()));
+  Oe.value, ie(() => [...ln].forEach((e) => e.followed()));
 });
 T(() => {
   U.value !== "open" && [...ln].forEach((e) => e.drop());
@@ -1231,13 +1237,13 @@ var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], F = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), De = (e, t) => Oe(F(e, t)), Hs = (e, t, n) => I(M(e, 1 - n), M(t, n));
+], He = (e) => Math.hypot(e[0], e[1], e[2]), Ke = (e, t) => He(F(e, t)), Hs = (e, t, n) => I(M(e, 1 - n), M(t, n));
 function Z(e, t = [0, 0, 1]) {
-  let n = Oe(e);
+  let n = He(e);
   return n > 1e-12 ? M(e, 1 / n) : t;
 }
 function ut(e) {
-  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
+  let t = Math.abs(e[0]) < 0.7 * He(e) ? [1, 0, 0] : [0, 1, 0];
   return Z(ye(t, e));
 }
 function un(e, t, n) {
@@ -1251,12 +1257,12 @@ function Lt([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var Be = ([e, t]) => Hs(e, t, 0.5);
+var We = ([e, t]) => Hs(e, t, 0.5);
 
 // src/camera.ts
-var er = Math.PI / 180, Xn = 89 * er;
+var tr = Math.PI / 180, Xn = 89 * tr;
 function Vt(e, t, n) {
-  let o = Z(F(e.target, e.eye), [0, 0, -1]), r = Z(ye(o, e.up), ut(o)), i = ye(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * er * 0.5) / n;
+  let o = Z(F(e.target, e.eye), [0, 0, -1]), r = Z(ye(o, e.up), ut(o)), i = ye(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * tr * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
 function cn(e, t) {
@@ -1267,22 +1273,22 @@ function Ks(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(M(e.side, o), M(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
 }
-function ji(e, t, n, o) {
-  let r = F(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = F(r, M(t, q(r, t))), p = Z(Oe(s) > 1e-6 * i ? s : F(e.up, M(t, q(e.up, t))), ut(t)), c = Math.max(-Xn, Math.min(Xn, a + o)), u = un(p, t, n), d = I(M(u, Math.cos(c)), M(t, Math.sin(c)));
+function Ui(e, t, n, o) {
+  let r = F(e.target, e.eye), i = Math.max(He(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = F(r, M(t, q(r, t))), p = Z(He(s) > 1e-6 * i ? s : F(e.up, M(t, q(e.up, t))), ut(t)), c = Math.max(-Xn, Math.min(Xn, a + o)), u = un(p, t, n), d = I(M(u, Math.cos(c)), M(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, M(d, i)) };
 }
-function Ui(e, t, n, o, r) {
-  let i = F(e.target, e.eye), a = F(i, M(t, q(i, t))), s = Z(Oe(a) > 1e-6 ? a : e.up, ut(t)), p = Z(ye(s, t)), c = I(I(M(s, n), M(p, o)), M(t, r));
-  return ze(e, c);
-}
 function Wi(e, t, n, o, r) {
-  let i = Z(F(e.target, e.eye)), a = Z(ye(i, e.up), ut(i));
-  return ze(e, I(I(M(i, n), M(a, o)), M(t, r)));
-}
-function ze(e, t) {
-  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+  let i = F(e.target, e.eye), a = F(i, M(t, q(i, t))), s = Z(He(a) > 1e-6 ? a : e.up, ut(t)), p = Z(ye(s, t)), c = I(I(M(s, n), M(p, o)), M(t, r));
+  return Be(e, c);
 }
 function Bi(e, t, n, o, r) {
+  let i = Z(F(e.target, e.eye)), a = Z(ye(i, e.up), ut(i));
+  return Be(e, I(I(M(i, n), M(a, o)), M(t, r)));
+}
+function Be(e, t) {
+  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+}
+function zi(e, t, n, o, r) {
   let i = Z(F(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Xn, Math.min(Xn, a + r)), p = Z(ye(i, t), Z(ye(i, e.up), ut(i))), c = (u) => un(un(u, p, s - a), t, o);
   return {
     ...e,
@@ -1291,39 +1297,39 @@ function Bi(e, t, n, o, r) {
     target: I(n, c(F(e.target, n)))
   };
 }
-function zi(e, t, n, o, r) {
+function Gi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return ze(e, I(M(t.side, -n * i), M(t.up, o * i)));
+  return Be(e, I(M(t.side, -n * i), M(t.up, o * i)));
 }
 function Yn(e, t, n, o, r) {
-  let i = F(t, e.eye), a = Oe(i);
+  let i = F(t, e.eye), a = He(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), ze(e, M(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Be(e, M(i, s / a));
 }
 function Qn(e, t, n, o, r) {
   let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
     M(t.side, (n - t.width / 2) * a),
     M(t.up, (t.height / 2 - o) * a)
   );
-  return { ...ze(e, s), height: i };
+  return { ...Be(e, s), height: i };
 }
-function Gi(e, t, n = 0.4) {
-  let o = Be(t), r = Math.max(De(t[0], t[1]) / 2, 0.5), i = Z(F(e.eye, e.target));
+function Xi(e, t, n = 0.4) {
+  let o = We(t), r = Math.max(Ke(t[0], t[1]) / 2, 0.5), i = Z(F(e.eye, e.target));
   if (e.height) {
     let s = q(F(e.eye, o), i);
     return { ...e, eye: I(o, M(i, s)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * er * 0.5), n + r);
+  let a = Math.max(1.5 * r / Math.tan(e.fov * tr * 0.5), n + r);
   return { ...e, eye: I(o, M(i, a)), target: o };
 }
-var Os = ["plan", "ceiling", "north", "east", "south", "west"];
-function Xi(e) {
+var Ds = ["plan", "ceiling", "north", "east", "south", "west"];
+function Yi(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ye(e, t));
   return { right: Z(ye(n, e)), ahead: n };
 }
-function Yi(e, t, n, o) {
-  let { right: r, ahead: i } = Xi(n), a = Be(t), s = (b) => Math.abs(q(F(t[1], t[0]), b)), c = {
+function Qi(e, t, n, o) {
+  let { right: r, ahead: i } = Yi(n), a = We(t), s = (b) => Math.abs(q(F(t[1], t[0]), b)), c = {
     plan: { forward: M(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: M(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -1334,14 +1340,14 @@ function Yi(e, t, n, o) {
   return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
 }
 function fn(e, t) {
-  let n = (r, i) => De(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+  let n = (r, i) => Ke(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/frames.ts
-var W = g(null), At = g(0), Qi = ["moving", "settled", "final"], Ji = 32, It = /* @__PURE__ */ new Map(), Le = null, tr = null, nr = !1, ct = null;
-function Ds(e) {
-  if (e.byteLength < Ji) return null;
+var W = g(null), At = g(0), Ji = ["moving", "settled", "final"], Zi = 32, It = /* @__PURE__ */ new Map(), Le = null, nr = null, or = !1, ct = null;
+function Fs(e) {
+  if (e.byteLength < Zi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1349,7 +1355,7 @@ function Ds(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Qi[Math.min(t.getUint8(16), 2)],
+    kind: Ji[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1357,31 +1363,31 @@ function Ds(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Fs(e) {
-  let t = Ds(e);
-  return t ? (ct && K({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, nr || Ns(), t.head) : null;
+function Ns(e) {
+  let t = Fs(e);
+  return t ? (ct && H({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, or || qs(), t.head) : null;
 }
-async function Ns() {
-  for (nr = !0; ct; ) {
+async function qs() {
+  for (or = !0; ct; ) {
     let { head: e, mime: t, bytes: n, received: o } = ct;
     ct = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Ji)], { type: t }));
-      qs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Zi)], { type: t }));
+      js(e, r, n.byteLength, o);
     } catch {
     }
-    K({ do: "ack", frame: e.frame });
+    H({ do: "ack", frame: e.frame });
   }
-  nr = !1;
+  or = !1;
 }
-function qs(e, t, n, o) {
+function js(e, t, n, o) {
   let r = performance.now();
-  Le && tr && ((Le.width !== t.width || Le.height !== t.height) && (Le.width = t.width, Le.height = t.height), tr.drawImage(t, 0, 0)), t.close();
+  Le && nr && ((Le.width !== t.width || Le.height !== t.height) && (Le.width = t.width, Le.height = t.height), nr.drawImage(t, 0, 0)), t.close();
   let i = It.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), js(), Ii({
+  i && (W.value = { head: e, camera: i }), Us(), Ai({
     frame: e.frame,
     seq: e.seq,
-    kind: Qi.indexOf(e.kind),
+    kind: Ji.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1395,19 +1401,19 @@ function qs(e, t, n, o) {
   });
 }
 var Jn = [];
-function js() {
+function Us() {
   let e = performance.now();
   Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), At.value = Jn.length;
 }
-function or(e) {
-  Le = e, tr = e?.getContext("2d", { alpha: !1 }) ?? null;
+function rr(e) {
+  Le = e, nr = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Zi() {
+function ea() {
   if (!Le || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Le.width, e.height = Le.height, e.getContext("2d", { alpha: !1 })?.drawImage(Le, 0, 0), e;
 }
-Ri(Fs);
+Oi(Ns);
 xe("camera", (e) => {
   It.set(e.number, e);
   for (let t of It.keys()) {
@@ -1420,11 +1426,11 @@ xe("line", () => {
 });
 
 // src/select.ts
-var P = g(null), de = g(null), z = g(null), Us = g("move"), le = N(() => {
+var P = g(null), de = g(null), z = g(null), Ws = g("move"), le = N(() => {
   let e = P.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => S.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => O.get(t)?.lamps ?? []) : [];
+  return e?.kind === "lamp" ? e.ids.filter((t) => S.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => K.get(t)?.lamps ?? []) : [];
 });
-function Ge(e, t, n = "only") {
+function ze(e, t, n = "only") {
   let o = P.peek();
   if (n === "only" || o?.kind !== e) {
     P.value = { kind: e, ids: [t] };
@@ -1438,24 +1444,24 @@ function Ge(e, t, n = "only") {
 function Zn() {
   P.value = null;
 }
-function ea(e, t, n) {
+function ta(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return Ge(e, n);
+  if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Ws(e) {
-  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? S.ids.peek() : n === "thing" ? be.ids.peek() : O.ids.peek();
+function Bs(e) {
+  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? S.ids.peek() : n === "thing" ? be.ids.peek() : K.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  Ge(n, o[(r + e + o.length) % o.length]);
+  ze(n, o[(r + e + o.length) % o.length]);
 }
-function ta(e, t) {
+function na(e, t) {
   switch (e) {
     case "lamp":
       return S.get(t)?.name ?? `lamp ${t}`;
     case "group":
-      return O.get(t)?.name ?? `group ${t}`;
+      return K.get(t)?.name ?? `group ${t}`;
     case "thing":
       return be.get(t)?.name ?? `thing ${t}`;
     case "material":
@@ -1465,63 +1471,63 @@ function ta(e, t) {
   }
 }
 function eo(e) {
-  return e.length === 1 ? ta("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? na("lamp", e[0]) : `${e.length} lamps`;
 }
-function na(e, t) {
+function oa(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
     let i = S.get(e.lamp)?.group;
-    i != null && (O.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+    i != null && (K.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
     t === "only" && Zn();
     return;
   }
-  if (t !== "only") return Ge(n[0].kind, n[0].ids[0], t);
+  if (t !== "only") return ze(n[0].kind, n[0].ids[0], t);
   let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   P.value = n[(r + 1) % n.length];
 }
 var to = g(null);
 
 // src/navigate.ts
-var Bs = 1.6, me = g(null), ra = N(() => pe.value === "edit" && D.value.you), Ve = N(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Kt = g(null), ar = null, pn = null, rr = !1, Xe = [], lr = [], sr = 0;
+var zs = 1.6, me = g(null), ia = N(() => pe.value === "edit" && D.value.you), Ve = N(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), sr = null, pn = null, ir = !1, Ge = [], ur = [], lr = 0;
 function Q(e, t = null) {
   let n = me.peek();
   if (n && fn(n, e)) return;
   let o = performance.now();
-  n && (o - sr > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), lr.length = 0), sr = o, me.value = e, Kt.value = t;
+  n && (o - lr > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), ur.length = 0), lr = o, me.value = e, Ht.value = t;
 }
 var ne = () => me.peek();
-function zs() {
-  ia(Xe, lr);
-}
 function Gs() {
-  ia(lr, Xe);
+  aa(Ge, ur);
 }
-function ia(e, t) {
+function Xs() {
+  aa(ur, Ge);
+}
+function aa(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = me.peek();
-  o && t.push(o), sr = performance.now(), me.value = n, Kt.value = null;
+  o && t.push(o), lr = performance.now(), me.value = n, Ht.value = null;
 }
 T(() => {
-  !me.value || U.value !== "open" || !ra.value || rr || (rr = !0, requestAnimationFrame(() => {
-    rr = !1;
+  !me.value || U.value !== "open" || !ia.value || ir || (ir = !0, requestAnimationFrame(() => {
+    ir = !1;
     let t = me.peek();
     if (!t || pn && fn(pn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (p.height = a), s && (p.near = s), K(p) && (pn = t);
+    a && (p.height = a), s && (p.near = s), H(p) && (pn = t);
   }));
 });
 T(() => {
   let e = W.value;
   e && ie(() => {
-    me.peek() && ra.peek() || (pn = e.camera, me.value = e.camera, ar ??= e.camera);
+    me.peek() && ia.peek() || (pn = e.camera, me.value = e.camera, sr ??= e.camera);
   });
 });
 xe("hello", () => pn = null);
-function Ot(e, t) {
+function Kt(e, t) {
   let n = W.peek();
   if (!n) return null;
   let { head: o } = n, r = dn(o.width, o.height);
@@ -1535,51 +1541,51 @@ function ft(e = me.peek()) {
   let [t, n] = _e.peek();
   return e ? Vt(e, t, n) : null;
 }
-var Ht = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => Be(Ht());
+var Ot = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => We(Ot());
 function no(e, t) {
   let n = ne();
-  n && Q(ji(n, Ve.peek(), e, t));
+  n && Q(Ui(n, Ve.peek(), e, t));
 }
 function oo(e, t, n) {
   let o = ne();
-  o && Q(Bi(o, Ve.peek(), e, t, n));
+  o && Q(zi(o, Ve.peek(), e, t, n));
 }
 function Ft(e, t, n) {
   let o = ne(), r = ft();
-  o && r && Q(zi(o, r, e, t, n));
+  o && r && Q(Gi(o, r, e, t, n));
 }
-function aa(e, t, n) {
+function sa(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
       let r = ft(o);
-      r && Q(ze(o, I(M(r.side, t), M(r.up, e))));
+      r && Q(Be(o, I(M(r.side, t), M(r.up, e))));
       return;
     }
-    jo.peek() === "fly" || n !== 0 ? Q(Wi(o, Ve.peek(), e, t, n)) : (Q(Ui(o, Ve.peek(), e, t, 0)), Xs());
+    jo.peek() === "fly" || n !== 0 ? Q(Bi(o, Ve.peek(), e, t, n)) : (Q(Wi(o, Ve.peek(), e, t, 0)), Ys());
   }
 }
-var Rt = !1, ir = !0, oa = null;
-function Xs() {
+var Rt = !1, ar = !0, ra = null;
+function Ys() {
   let e = ne();
-  if (!e || Rt || !ir) return;
+  if (!e || Rt || !ar) return;
   let t = Ve.peek();
   Rt = !0;
   let n = Se("ray", { origin: e.eye, direction: M(t, -1) }, (o) => {
-    Rt = !1, ir = !0;
+    Rt = !1, ar = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    oa = q(o.point, t);
-    let i = oa + Bs - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(ze(r, M(t, i * 0.5)));
+    ra = q(o.point, t);
+    let i = ra + zs - q(r.eye, t);
+    Math.abs(i) > 0.01 && Q(Be(r, M(t, i * 0.5)));
   }, () => {
-    Rt = !1, ir = !1;
+    Rt = !1, ar = !1;
   });
   setTimeout(() => {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function Ys() {
+function Qs() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
@@ -1587,81 +1593,81 @@ function Ys() {
   };
   for (let i of e.ids)
     if (e.kind === "lamp" && n(S.get(i)?.box, S.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
-      for (let a of O.get(i)?.lamps ?? []) n(S.get(a)?.box, S.get(a)?.place?.position);
+      for (let a of K.get(i)?.lamps ?? []) n(S.get(a)?.box, S.get(a)?.place?.position);
   if (!t.length) return null;
   let o = t.flatMap(Lt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function ur() {
-  let e = ne(), t = Ys();
-  e && t ? Q(Gi(e, t), "selection") : cr();
-}
 function cr() {
-  ar && Q(ar, "home");
+  let e = ne(), t = Qs();
+  e && t ? Q(Xi(e, t), "selection") : fr();
 }
-function Qs(e) {
+function fr() {
+  sr && Q(sr, "home");
+}
+function Js(e) {
   let [t, n] = _e.peek();
-  Q(Yi(e, Ht(), Ve.peek(), t / n), e);
+  Q(Qi(e, Ot(), Ve.peek(), t / n), e);
 }
-function Js() {
-  for (let e = Xe.length - 1; e >= 0; e--)
-    if (!Xe[e].height) return Q(Xe[e], "inside");
-  cr();
+function Zs() {
+  for (let e = Ge.length - 1; e >= 0; e--)
+    if (!Ge[e].height) return Q(Ge[e], "inside");
+  fr();
 }
-var Zs = N(() => {
+var el = N(() => {
   let e = me.value;
   if (!e?.height) return null;
-  let t = Vt(e, 2, 2), n = Lt(Ht()).map((s) => q(F(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...Lt(Ht()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
+  let t = Vt(e, 2, 2), n = Lt(Ot()).map((s) => q(F(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...Lt(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function el(e) {
+function tl(e) {
   let t = ne();
   t && (me.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var fr = g("spot"), sa = () => {
-}, tl = (e) => {
-  sa = e;
-}, la = (e) => sa(e);
-function pr(e) {
+var pr = g("spot"), la = () => {
+}, nl = (e) => {
+  la = e;
+}, ua = (e) => la(e);
+function dr(e) {
   z.value = z.peek() === e ? null : e;
 }
 var ro = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function dr(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Be(e.box) : null);
+function mr(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? We(e.box) : null);
 }
 
 // src/actions.ts
-var pt = g(null), Ie = g("lamps"), hr = g("");
+var pt = g(null), Ie = g("lamps"), vr = g("");
 function ao(e) {
   let t = Gn();
-  t ? ae(t, "warn") : K(e);
+  t ? ae(t, "warn") : H(e);
 }
-var nl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ol = {
+var ol = (e, t) => Object.fromEntries(e.map((n) => [n, t])), rl = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, mr = ol, ua = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), rl = () => at.peek().false_color ?? mr;
-function vr() {
-  let e = at.peek().false_color;
-  e && (mr = e), $t({ false_color: e ? null : ua(mr) });
+}, hr = rl, ca = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), il = () => it.peek().false_color ?? hr;
+function gr() {
+  let e = it.peek().false_color;
+  e && (hr = e), $t({ false_color: e ? null : ca(hr) });
 }
 function so(e) {
-  let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
+  let t = Math.round(((it.peek().ev ?? 0) + e / 3) * 30) / 30;
   $t({ ev: t });
 }
-function il() {
+function al() {
   let e = ne();
   if (!e) return;
   let t = ro(St);
   $e("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var al = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
-async function gr(e) {
+var sl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
+async function br(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1672,10 +1678,10 @@ async function gr(e) {
   ae(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
-function sl(e) {
+function ll(e) {
   Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
 }
-var ll = () => [...Nt.values()], ca = (e) => Nt.get(e), br = (e) => Nt.get(e)?.why?.() ?? null;
+var ul = () => [...Nt.values()], fa = (e) => Nt.get(e), yr = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
@@ -1684,15 +1690,15 @@ function oe(e) {
 }
 
 // src/before.ts
-var mn = g(null), he = g(null), ul = g(0.5);
-function cl() {
-  let e = W.peek(), t = Zi();
+var mn = g(null), he = g(null), cl = g(0.5);
+function fl() {
+  let e = W.peek(), t = ea();
   e && t && (mn.value = { picture: t, camera: e.camera });
 }
-qi(() => {
-  he.peek() !== "wipe" && cl();
+ji(() => {
+  he.peek() !== "wipe" && fl();
 });
-function fa() {
+function pa() {
   let e = mn.peek(), t = W.peek();
   if (!e || !t) ae("Nothing has been changed yet.");
   else if (!fn(e.camera, t.camera)) ae("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1700,41 +1706,41 @@ function fa() {
   return !1;
 }
 function hn(e) {
-  e ? he.peek() === null && fa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
+  e ? he.peek() === null && pa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
 }
-function fl() {
-  he.value = he.peek() === "wipe" ? null : fa() ? "wipe" : null;
+function pl() {
+  he.value = he.peek() === "wipe" ? null : pa() ? "wipe" : null;
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var pl = /* @__PURE__ */ Symbol.for("pv"), dl = 0;
+var dl = /* @__PURE__ */ Symbol.for("pv"), ml = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: pl, __v: --dl, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: dl, __v: --ml, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
-var da = g(null), pa = !1, yr = (e) => da.value?.[e];
+var ma = g(null), da = !1, _r = (e) => ma.value?.[e];
 function ee({ part: e }) {
-  let t = yr(e);
+  let t = _r(e);
   return t ? l(t, {}) : null;
 }
-function ma() {
+function ha() {
   T(() => {
-    if (pa || !(W.value ?? P.value)) return;
-    pa = !0;
+    if (da || !(W.value ?? P.value)) return;
+    da = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => da.value = t);
+      import(e).then((t) => ma.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, ha = {
+var lo = 0.3048, va = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1751,19 +1757,19 @@ var lo = 0.3048, ha = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, ml = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function _r(e) {
-  let t = ml.exec(e);
+}, hl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function wr(e) {
+  let t = hl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function va(e, t, n) {
+function ga(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let p = _r(o);
+    let p = wr(o);
     if (!p) return null;
     let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
     if (u === void 0) return null;
@@ -1771,8 +1777,8 @@ function va(e, t, n) {
   }
   return i ? null : r;
 }
-function ga(e, t, n) {
-  let o = ha[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function ba(e, t, n) {
+  let o = va[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1781,19 +1787,19 @@ function ga(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let y = _r(p[1].trim());
+    let y = wr(p[1].trim());
     return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let y = _r(c[2]);
+    let y = wr(c[2]);
     if (!y) return i;
     let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
     return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = va(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ga(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = va(m, { ...ha.flux }, NaN);
+    let y = ga(m, { ...va.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1805,7 +1811,7 @@ function B(e, t = 0) {
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Ye(e) {
+function Xe(e) {
   let t = Math.abs(e);
   return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
@@ -1818,7 +1824,7 @@ function vn(e, t) {
     case "level":
       return `${Ae(e)} %`;
     case "flux":
-      return `${Ye(e)} lm`;
+      return `${Xe(e)} lm`;
     case "kelvin":
       return `${B(e)} K`;
     case "angle":
@@ -1826,7 +1832,7 @@ function vn(e, t) {
     case "length":
       return `${B(e, 2)} m`;
     case "lux":
-      return `${Ye(e)} lx`;
+      return `${Xe(e)} lx`;
     case "seconds":
       return `${B(e, 1)} s`;
     case "ev":
@@ -1839,18 +1845,18 @@ function vn(e, t) {
 }
 function dt(e, t = !0) {
   let n = wt.value === "fc", o = n ? e / 10.7639 : e;
-  return Ye(o) + (t ? n ? " fc" : " lx" : "");
+  return Xe(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
 function gn(e) {
-  let t = ot(null), n = ot(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
+  let t = nt(null), n = nt(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
   Ce(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = ga(t.value, e.quantity, e.flux);
+    let d = ba(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1926,8 +1932,8 @@ function qt({ id: e, label: t, title: n, children: o }) {
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function wr({ id: e, label: t }) {
-  let n = br(e), o = ca(e);
+function kr({ id: e, label: t }) {
+  let n = yr(e), o = fa(e);
   return l(
     "button",
     {
@@ -1946,19 +1952,19 @@ function wr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var ba = {
+var ya = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function ya() {
-  let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
+function _a() {
+  let e = it.value, t = ot.value.undo, n = ot.value.redo, o = rt.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
     l("h1", { title: o.file || J.value?.file, children: [
       J.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ba[o.state], title: `${ba[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ya[o.state], title: `${ya[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -1977,7 +1983,7 @@ function ya() {
       "Picture ",
       l(G, { name: "down" })
     ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
-    l("button", { "aria-pressed": e.false_color !== null, onClick: vr, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: gr, title: "False colour (B)", children: "False colour" }),
     l("button", { "aria-pressed": he.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(G, { name: "minus" }) }),
@@ -1986,7 +1992,7 @@ function ya() {
         l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => $t({ ev: i(e.ev ?? 0) }) })
       ] }),
       l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(G, { name: "plus" }) }),
-      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => K({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
@@ -2017,40 +2023,40 @@ function ya() {
 
 // src/highlight.ts
 function uo(e) {
-  ke.value = e, K({ do: "solo", lamps: e });
+  ke.value = e, H({ do: "solo", lamps: e });
 }
-function kr(e) {
+function xr(e) {
   let t = ke.peek(), n = e.every((o) => t.includes(o));
   uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var hl = () => kr(le.peek()), xr = () => uo([]), bn = null;
+var vl = () => xr(le.peek()), Sr = () => uo([]), bn = null;
 function co(e) {
   e && bn === null && le.peek().length ? (bn = ke.peek(), uo(le.peek())) : !e && bn !== null && (uo(bn), bn = null);
 }
 
 // src/lights.ts
-var Qe = g(null), Sr = () => {
-}, wa = () => {
+var Ye = g(null), Mr = () => {
+}, ka = () => {
 };
 function fo(e, t, n) {
-  po(), Qe.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, _a(n);
+  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
   let o = !0, r = 0;
-  wa = T(() => {
-    for (let [, i] of S.all()) He(i);
+  ka = T(() => {
+    for (let [, i] of S.all()) at(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = ie(() => Qe.value);
-      i && _a(i.hit);
+      let i = ie(() => Ye.value);
+      i && wa(i.hit);
     }, 250);
   });
 }
-function _a(e) {
-  Sr(), Sr = Se("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Qe.peek();
-    n && (Qe.value = {
+function wa(e) {
+  Mr(), Mr = Se("light", { point: e.point, normal: e.normal }, (t) => {
+    let n = Ye.peek();
+    n && (Ye.value = {
       ...n,
       lux: t.lux ?? n.lux,
       lamps: t.lamps ?? n.lamps,
@@ -2059,41 +2065,41 @@ function _a(e) {
   });
 }
 function po() {
-  Sr(), wa(), Qe.value = null;
+  Mr(), ka(), Ye.value = null;
 }
 
 // src/keys.ts
-var Ta = g("W A S D"), Mr = {
+var Pa = g("W A S D"), Cr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, vl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Cr = !1, Er = 0;
-function Pa(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Er) / 1e3));
-  if (Er = e, !jt.size) {
-    Cr = !1;
+}, gl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Er = !1, Tr = 0;
+function $a(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Tr) / 1e3));
+  if (Tr = e, !jt.size) {
+    Er = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
   for (let s of jt) {
-    let [p, c, u] = Mr[s];
+    let [p, c, u] = Cr[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, De(...Ht()) / 12), a = vl * t * ho * Math.min(i, 6);
-  (n || o || r) && aa(n * a, o * a, r * a), requestAnimationFrame(Pa);
+  let i = Math.max(1, Ke(...Ot()) / 12), a = gl * t * ho * Math.min(i, 6);
+  (n || o || r) && sa(n * a, o * a, r * a), requestAnimationFrame($a);
 }
 function yn(e) {
-  jt.add(e), !Cr && (Cr = !0, Er = performance.now(), requestAnimationFrame(Pa));
+  jt.add(e), !Er && (Er = !0, Tr = performance.now(), requestAnimationFrame($a));
 }
-var gl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function ka() {
+var bl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function xa() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var bl = {
+var yl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2113,7 +2119,7 @@ var bl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, xa = {
+}, Sa = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2121,7 +2127,7 @@ var bl = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Sa = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ma = {
+}, Ma = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ca = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2130,56 +2136,56 @@ var bl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function yl(e) {
+function _l(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function _l() {
-  z.peek() ? z.value = null : Qe.peek() ? po() : he.peek() ? he.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function wl() {
+  z.peek() ? z.value = null : Ye.peek() ? po() : he.peek() ? he.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ca(e) {
+function Ea(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
-function Ea(e) {
+function Ta(e) {
   let t = ne(), n = ft();
   !t || !n || (t.height ? Q(Qn(t, n, n.width / 2, n.height / 2, e)) : Q(Yn(t, t.target, e, 0.3, !0)));
 }
-function wl(e) {
+function kl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return _l();
-  if (gl(e.target)) {
-    t && e.key.toLowerCase() === "k" && Fe(e, "palette");
+  if (e.key === "Escape") return wl();
+  if (bl(e.target)) {
+    t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (ka() && Ca(e)) return e.preventDefault();
-    let i = yl(e);
-    i && Fe(e, i);
+    if (xa() && Ea(e)) return e.preventDefault();
+    let i = _l(e);
+    i && De(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return Fe(e, "back");
-    if (e.key === "ArrowRight") return Fe(e, "forth");
-    if (i === "0") return Fe(e, "store-view");
+    if (e.key === "ArrowLeft") return De(e, "back");
+    if (e.key === "ArrowRight") return De(e, "forth");
+    if (i === "0") return De(e, "store-view");
     if (i) {
       e.preventDefault();
       let a = St.all()[Number(i) - 1];
       a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && Fe(e, "unhide"), !(e.code in Mr)) return;
+    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Cr)) return;
   }
-  let n = ka();
-  if (n && Ca(e)) return e.preventDefault();
-  if (n && e.code in Mr)
+  let n = xa();
+  if (n && Ea(e)) return e.preventDefault();
+  if (n && e.code in Cr)
     return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Ea(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Ea(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return Ta(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Ta(1 / 0.85);
   if (!Wo.peek()) return;
-  if (e.shiftKey && Ma[e.code]) return Fe(e, Ma[e.code]);
+  if (e.shiftKey && Ca[e.code]) return De(e, Ca[e.code]);
   if (mo && /^\d$/.test(e.key)) {
     e.preventDefault(), mo = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
@@ -2188,50 +2194,50 @@ function wl(e) {
   }
   if (mo = e.key.toLowerCase() === "j", mo) return ae("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
-    e.preventDefault(), hr.value = e.key;
+    e.preventDefault(), vr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Sa[e.code]) return Fe(e, Sa[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Ma[e.code]) return De(e, Ma[e.code]);
   if (e.key === "\\") return void (e.repeat || hn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return kl();
-  let r = e.shiftKey && xa[o] ? xa[o] : bl[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Fe(e, r);
+  if (o === "p" && e.shiftKey) return xl();
+  let r = e.shiftKey && Sa[o] ? Sa[o] : yl[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function kl() {
-  let [e, t] = _e.peek(), n = Ot(e / 2, t / 2);
+function xl() {
+  let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
   n && Se("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
-function Fe(e, t) {
+function De(e, t) {
   e.preventDefault(), oe(t);
 }
-function xl(e) {
+function Sl(e) {
   jt.delete(e.code), e.key === "\\" && hn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
-function $a() {
-  addEventListener("keydown", wl), addEventListener("keyup", xl), addEventListener("blur", () => {
+function La() {
+  addEventListener("keydown", kl), addEventListener("keyup", Sl), addEventListener("blur", () => {
     jt.clear(), co(!1), hn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Ta.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Pa.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Sl(e, t) {
+function Ml(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
 }
 
 // src/levels.ts
-var Tr = (e) => Math.min(1, Dn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Pr = (e) => {
+var Pr = (e) => Math.min(1, Dn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), $r = (e) => {
   let t = Dn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Ml = (e) => (e.kind === "lamp" ? S.get(e.id) : O.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? S.get(e.id) : O.get(e.id))?.name ?? "";
-function $r(e) {
+}, Cl = (e) => (e.kind === "lamp" ? S.get(e.id) : K.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? S.get(e.id) : K.get(e.id))?.name ?? "";
+function Lr(e) {
   let t = le.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function La(e, t, n) {
+function Va(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2243,7 +2249,7 @@ function La(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Ml(t), this.from = t.kind === "lamp" ? new Map($r(t).map((n) => [n, S.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new We(`${vo(t)} level`);
+    this.was = this.now = Cl(t), this.from = t.kind === "lamp" ? new Map(Lr(t).map((n) => [n, S.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ue(`${vo(t)} level`);
   }
   strip;
   gesture;
@@ -2251,7 +2257,7 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(La(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Va(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
@@ -2262,10 +2268,10 @@ var _n = class {
   }
 };
 function go(e, t) {
-  let n = new Map($r(e).map((o) => [o, S.get(o)?.level ?? 0]));
-  Zo(`level ${e.kind} ${e.id}`, `${vo(e)} level`, La(e, t, n));
+  let n = new Map(Lr(e).map((o) => [o, S.get(o)?.level ?? 0]));
+  er(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Va(e, t, n));
 }
-function Lr(e, t) {
+function Vr(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = S.get(r);
@@ -2273,35 +2279,35 @@ function Lr(e, t) {
   })), o = e.length === 1 ? ` ${Ae(S.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
   $e(`${eo(e)}${o}`, { lamps: n });
 }
-function Vr(e, t) {
-  let n = t(O.get(e)?.level ?? 0);
-  $e(`${O.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
-}
 function Ir(e, t) {
+  let n = t(K.get(e)?.level ?? 0);
+  $e(`${K.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
+}
+function Ar(e, t) {
   let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? $e(n, { groups: { [e.id]: { on: t } } }) : $e(n, { lamps: Object.fromEntries($r(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? $e(n, { groups: { [e.id]: { on: t } } }) : $e(n, { lamps: Object.fromEntries(Lr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var Cl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, El = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Tl = (e) => Math.round(255 * Cl(Math.max(0, Math.min(1, e))));
-function Ar(e) {
+var El = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Tl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Pl = (e) => Math.round(255 * El(Math.max(0, Math.min(1, e))));
+function Rr(e) {
   let t = Math.max(...e, 1e-6);
-  return Va(e.map((n) => n / t));
+  return Ia(e.map((n) => n / t));
 }
-function Va(e) {
-  return `#${e.map((t) => Tl(t).toString(16).padStart(2, "0")).join("")}`;
+function Ia(e) {
+  return `#${e.map((t) => Pl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Pl(e) {
-  let t = (n) => El(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function $l(e) {
+  let t = (n) => Tl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var $l = (e) => 1e6 / e;
+var Ll = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ia = -1e9;
-addEventListener("scroll", () => Ia = performance.now(), { capture: !0, passive: !0 });
+var Aa = -1e9;
+addEventListener("scroll", () => Aa = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function Rr(e) {
+function Or(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
@@ -2321,7 +2327,7 @@ function Rr(e) {
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
     u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Ia < 400 || c.ctrlKey) return;
+    if (performance.now() - Aa < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2358,15 +2364,15 @@ function Rr(e) {
 }
 
 // src/faderrow.tsx
-function Aa(e) {
+function Ra(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
 var Hr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ra({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? S.get(e.id) : void 0, a = e.kind === "group" ? O.get(e.id) : void 0, s = i ?? a;
+function Oa({ row: e, index: t, count: n }) {
+  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? S.get(e.id) : void 0, a = e.kind === "group" ? K.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * (S.get(C)?.level ?? 0), 0), u = i ? i.flux * He(i) : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * He(S.get(C)), 0), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = de.value?.kind === e.kind && de.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = zn.value, x = d ? 0 : -1, k = {
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * (S.get(C)?.level ?? 0), 0), u = Yo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = de.value?.kind === e.kind && de.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = zn.value, x = d ? 0 : -1, k = {
     begin: () => o.current = new _n(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2386,7 +2392,7 @@ function Ra({ row: e, index: t, count: n }) {
       onPointerEnter: () => de.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => de.value = null,
       children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Ir(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Ar(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
           a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ha(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
           l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Hr(i)}` : s.name, onClick: (_) => Kr(_, e.kind, e.id), children: [
@@ -2399,23 +2405,23 @@ function Ra({ row: e, index: t, count: n }) {
             ] })
           ] }),
           i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Ar(i.swatch) } }),
-            Aa(i)
+            l("i", { class: "swatch", style: { background: Rr(i.swatch) } }),
+            Ra(i)
           ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => kr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => xr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
-            Rr,
+            Or,
             {
               label: `${s.name} level`,
               class: "level",
-              value: Tr(s.level),
-              text: `${Ae(s.level)} %, ${Ye(u)} lumen`,
+              value: Pr(s.level),
+              text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
               on: (_) => {
-                let C = Pr(_);
+                let C = $r(_);
                 o.current ? o.current.to(C) : go(r, C);
               },
               reset: () => go(r, 1),
@@ -2433,7 +2439,7 @@ function Ra({ row: e, index: t, count: n }) {
               disabled: w !== null,
               why: w,
               tabIndex: x,
-              set: (_) => i ? Lr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Vr(e.id, _)
+              set: (_) => i ? Vr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ir(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2445,8 +2451,8 @@ function Ra({ row: e, index: t, count: n }) {
 
 // src/virtual.tsx
 var Ka = 4;
-function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = te(null), s = ot(0), p = ot(600);
+function Dr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = te(null), s = nt(0), p = nt(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
@@ -2461,8 +2467,8 @@ function Or({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Da = N(() => {
-  let e = bo.value.trim().toLowerCase(), t = S.listed(), n = O.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Fa = N(() => {
+  let e = bo.value.trim().toLowerCase(), t = S.listed(), n = K.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (yo.value !== "group" && _t.value === "sheet") {
     let s = yo.value, p = [...r];
     return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
@@ -2481,28 +2487,28 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Da = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Oa = !1;
-O.ids.subscribe((e) => {
-  Oa || !e.length || (Oa = !0, S.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (O.get(t)?.lamps.length ?? 0) > 1))));
+}), Da = !1;
+K.ids.subscribe((e) => {
+  Da || !e.length || (Da = !0, S.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (K.get(t)?.lamps.length ?? 0) > 1))));
 });
 function Ha(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
 function Kr(e, t, n) {
-  e.shiftKey ? ea(t, Da.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? ta(t, Fa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Ll(e) {
+function Vl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Vl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Fa() {
-  let e = Da.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = _t.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Ll, children: [
+var Il = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Na() {
+  let e = Fa.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = _t.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Vl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2535,7 +2541,7 @@ function Fa() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Vl.map((i) => l(wr, { id: i }, i)),
+        Il.map((i) => l(kr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2544,14 +2550,14 @@ function Fa() {
     ] }),
     r && l(ee, { part: "SheetHead" }),
     l(
-      Or,
+      Dr,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? yr("SheetRow") : Ra;
+          let a = e[i], s = r ? _r("SheetRow") : Oa;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2566,10 +2572,10 @@ function Fa() {
 }
 
 // src/states.ts
-var kn = g(null), Je = g([]), xn = g(null), Fr = g(null), Dr = N(() => Te.value?.stage ?? "loading"), Na = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), Nr = g(null), Fr = N(() => Te.value?.stage ?? "loading"), qa = g(!1), wn = 0;
 T(() => {
   let e = Te.value?.fps ?? 0;
-  Dr.value === "moving" && e > 6 && At.value < 0.4 * e && At.value < 5 ? wn || (wn = performance.now()) : wn = 0, Na.value = wn > 0 && performance.now() - wn > 2e3;
+  Fr.value === "moving" && e > 6 && At.value < 0.4 * e && At.value < 5 ? wn || (wn = performance.now()) : wn = 0, qa.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
   switch (U.value) {
@@ -2580,14 +2586,14 @@ var Wt = N(() => {
     default:
       return U.value;
   }
-  return !J.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !D.value.you ? "control-lost" : pe.value === "watch" || !D.value.you ? "watching" : S.ids.value.length === 0 ? "no-lamps" : $i.value ? "all-off" : Na.value ? "slow" : Dr.value === "loading" ? "first" : Dr.value;
+  return !J.value || !W.value ? "loading" : rt.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !D.value.you ? "control-lost" : pe.value === "watch" || !D.value.you ? "watching" : S.ids.value.length === 0 ? "no-lamps" : Li.value ? "all-off" : qa.value ? "slow" : Fr.value === "loading" ? "first" : Fr.value;
 });
 xe("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      kn.value = null, Je.value = e.lost ?? [];
+      kn.value = null, Qe.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      ae(`The scene was read again: ${t} edits kept${Je.value.length ? `, ${Je.value.length} no longer find what they changed` : ""}.`);
+      ae(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
@@ -2597,7 +2603,7 @@ xe("event", (e) => {
       xn.value = e.by ?? D.peek().name ?? "somebody else";
       break;
     case "loading":
-      Fr.value = e;
+      Nr.value = e;
       break;
   }
 });
@@ -2609,22 +2615,22 @@ T(() => {
 // src/probe.ts
 var _o = g(null);
 function wo(e, t, n) {
-  let o = Ot(e, t);
+  let o = Kt(e, t);
   if (!o) return n(null);
   Se("point", o, (r) => n(r.hit ? r : null));
 }
-function qa(e) {
+function ja(e) {
   if (!e) return "";
   let t = [], n = S.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
     let i = e.luminance[0] * (wt.value === "fc" ? 0.2919 : 1);
-    t.push(`${Ye(i)} ${wt.value === "fc" ? "fL" : "cd/m²"}`);
+    t.push(`${Xe(i)} ${wt.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var ja = N(() => {
+var Ua = N(() => {
   W.value;
   let e = [];
   for (let t of se.sent.slice(-24)) {
@@ -2634,7 +2640,7 @@ var ja = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Il() {
+function Al() {
   let e = Te.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2651,20 +2657,20 @@ function Il() {
       return `finished${t}`;
   }
 }
-function Ua() {
+function Wa() {
   let e = Te.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Il()
+      Al()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
     l("span", { children: U.value === "open" ? `${B(At.value)} fps` : "no line" }),
-    ja.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(ja.value),
+    Ua.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(Ua.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2677,7 +2683,7 @@ function Ua() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: qa(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: ja(_o.value) }),
     l("span", { class: "gap" }),
     l("span", { children: D.value.you ? "editing: you" : `editing: ${D.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2689,16 +2695,16 @@ function Ua() {
 }
 
 // src/pointer.ts
-var Al = 4, Wa = 35e-4, Rl = 0.15;
+var Rl = 4, Ba = 35e-4, Ol = 0.15;
 function Hl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ba(e, t) {
+function za(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
   }, d = (h, v, $) => {
-    let L = Ot(h, v);
+    let L = Kt(h, v);
     L && Se("point", L, (V) => {
       let A = V;
       A.hit && $?.(A);
@@ -2710,7 +2716,7 @@ function Ba(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Hl(On.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Hl(Kn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2742,7 +2748,7 @@ function Ba(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Al)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Rl)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2755,7 +2761,7 @@ function Ba(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * Wa, R * A * Wa);
+          no(R * V * Ba, R * A * Ba);
           break;
         }
         case "orbit":
@@ -2800,25 +2806,25 @@ function Ba(e, t) {
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (Wr) => {
-        vt.point = Wr.point, r = m(Wr.point);
+      d(h, v, (Br) => {
+        vt.point = Br.point, r = m(Br.point);
       });
     }
     x.time = R;
-    let [ns, os] = [h - A.width / 2, A.height / 2 - v], rs = Math.min(r, De(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * ns * A.pixel + A.up[vt] * os * A.pixel) * rs, Ur = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Yn(V, Ur, $, Rl, L)), L && De(V.eye, Ur) < 0.5 && (x = null);
+    let [os, rs] = [h - A.width / 2, A.height / 2 - v], is = Math.min(r, Ke(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * os * A.pixel + A.up[vt] * rs * A.pixel) * is, Wr = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Yn(V, Wr, $, Ol, L)), L && Ke(V.eye, Wr) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
     let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
-    if (On.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
+    if (Kn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
     let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
     k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
   let C = (h) => h.preventDefault(), Me = () => {
     clearTimeout(a), t.unhover();
-  }, Ze = (h) => {
+  }, Je = (h) => {
     !h.target.closest("[data-handle]") && z.peek() === null && t.double();
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
@@ -2826,7 +2832,7 @@ function Ba(e, t) {
     let h = e.getBoundingClientRect();
     _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
     ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
@@ -2838,7 +2844,7 @@ function we(e, t = {}, n) {
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var qr = class {
+var jr = class {
   view;
   fit;
   constructor(t) {
@@ -2860,23 +2866,23 @@ var qr = class {
     return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function jr() {
+function Ur() {
   let e = W.value;
-  return _e.value, e ? new qr(Vt(e.camera, e.head.width, e.head.height)) : null;
+  return _e.value, e ? new jr(Vt(e.camera, e.head.width, e.head.height)) : null;
 }
-function za() {
-  let e = ie(jr);
+function Ga() {
+  let e = ie(Ur);
   return e ? S.all().flatMap(([t, n]) => {
-    let o = Ga(n), r = o && e.at(o);
+    let o = Xa(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ga = dr, Ol = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Nr(e, t) {
+var Xa = mr, Dl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function qr(e, t) {
   let n = Lt(t);
-  return Ol.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Dl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Dl = 150, Sn = class {
+var Fl = 150, Sn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2907,32 +2913,32 @@ var Dl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Xa(e) {
+function Ya(e) {
   let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
   }), s = new Sn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
-    let u = jr();
+    let u = Ur();
     if (!u) return;
-    let d = P.value, m = de.value, f = "", b = "", y = S.ids.value.length <= Dl, w = S.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Ze = Ga(_), fe = _.place?.position;
-      if (C && _.box && (b += Nr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+    let d = P.value, m = de.value, f = "", b = "", y = S.ids.value.length <= Fl, w = S.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Xa(_), fe = _.place?.position;
+      if (C && _.box && (b += qr(u, _.box)), fe && _.place?.direction && (C || Me)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
-      let ve = C || Me || y && Bo.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${He(_) ? "" : "off"}`;
-      return { id: k, at: Ze && ve ? u.at(Ze) : null, label: C || Me ? _.name : "", state: h };
+      let ve = C || Me || y && Bo.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${at(_) ? "" : "off"}`;
+      return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Me ? _.name : "", state: h };
     });
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
       for (let k of d.ids) {
         let _ = be.get(k)?.box;
-        _ && (b += Nr(u, _));
+        _ && (b += qr(u, _));
       }
     n.setAttribute("d", b);
     let x = m?.kind === "lamp" ? S.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", x ? Nr(u, x) : "");
+    o.setAttribute("d", x ? qr(u, x) : "");
   }), c = T(() => {
-    let u = jr();
+    let u = Ur();
     if (!u) return;
     let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
     s.draw(Ct.all().map(([b, y]) => ({
@@ -2943,7 +2949,7 @@ function Xa(e) {
     })));
     let f = "";
     a.draw(Nn.all().map(([b, y]) => {
-      f += Fl(u, y);
+      f += Nl(u, y);
       let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2952,7 +2958,7 @@ function Xa(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function Fl(e, t) {
+function Nl(e, t) {
   let n = (r, i) => I(t.corner, I(M(t.u, r), M(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
@@ -2966,20 +2972,20 @@ function Fl(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ya = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Nl() {
-  let e = S.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = O.all().filter(([, n]) => !n.on || n.level === 0);
+var Qa = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function ql() {
+  let e = S.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = K.all().filter(([, n]) => !n.on || n.level === 0);
   $e("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function ql() {
+function jl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = Fr.value;
+      let e = Nr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
         e?.file ?? J.value?.file ?? "the scene",
@@ -2998,11 +3004,11 @@ function ql() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Ya() }),
+          l("code", { children: Qa() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          gr(Ya());
+          br(Qa());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3015,7 +3021,7 @@ function ql() {
     case "unsaved":
       return l(ce, { tone: "warn", children: [
         "Edits are not being saved: ",
-        it.value.why ?? "unknown reason",
+        rt.value.why ?? "unknown reason",
         ".",
         l("button", { onClick: () => pt.value = "save", children: "Save elsewhere" })
       ] });
@@ -3032,7 +3038,7 @@ function ql() {
           "."
         ] }),
         " ",
-        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Take it back" })
+        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
       return l(ce, { tone: "calm", children: [
@@ -3045,7 +3051,7 @@ function ql() {
           ] }) : "",
           "."
         ] }),
-        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Ask for control" })
+        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
       return l(ce, { tone: "calm", children: [
@@ -3054,7 +3060,7 @@ function ql() {
           "button",
           {
             onClick: () => {
-              fr.value = "disc", pr("add");
+              pr.value = "disc", dr("add");
             },
             children: "ceiling lamp"
           }
@@ -3064,60 +3070,60 @@ function ql() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: Nl, children: "Turn on" })
+        ot.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
+        l("button", { onClick: ql, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
         "Slow connection.",
-        l("button", { "aria-pressed": je.value, onClick: () => je.value = !0, children: "Sharper" }),
-        l("button", { "aria-pressed": !je.value, onClick: () => je.value = !1, children: "Faster" })
+        l("button", { "aria-pressed": qe.value, onClick: () => qe.value = !0, children: "Sharper" }),
+        l("button", { "aria-pressed": !qe.value, onClick: () => qe.value = !1, children: "Faster" })
       ] });
     default:
       return null;
   }
 }
-function Qa() {
+function Ja() {
   let e = ke.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    ql(),
-    Je.value.length > 0 && l(ce, { tone: "calm", children: [
+    jl(),
+    Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
-          Je.value.length,
+          Qe.value.length,
           " edits no longer find what they changed"
         ] }),
-        l("ul", { children: Je.value.map((t) => l("li", { children: t }, t)) })
+        l("ul", { children: Qe.value.map((t) => l("li", { children: t }, t)) })
       ] }),
-      l("button", { onClick: () => Je.value = [], children: "Good" })
+      l("button", { onClick: () => Qe.value = [], children: "Good" })
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
       e.length === 1 ? S.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: xr, children: "End solo" })
+      l("button", { onClick: Sr, children: "End solo" })
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: st.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => Yo(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => Qo(t.id), children: l(G, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var Za = g(null);
-function jl(e, t) {
-  let n = za();
+var es = g(null);
+function Ul(e, t) {
+  let n = Ga();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Ul = {
+var Wl = {
   click(e, t, n) {
-    let o = Ja(e, t);
-    if (z.peek() === null && o) return Ge(o.kind, o.id, n);
+    let o = Za(e, t);
+    if (z.peek() === null && o) return ze(o.kind, o.id, n);
     wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return la(r);
-      na(r, n), P.peek() && (Ie.value = "inspector");
+      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return ua(r);
+      oa(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3126,10 +3132,10 @@ var Ul = {
     });
   },
   double() {
-    ur();
+    cr();
   },
   hover(e, t) {
-    let n = Ja(e, t);
+    let n = Za(e, t);
     n?.kind === "lamp" && (de.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
       _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (de.value = { kind: "lamp", id: o.lamp });
     });
@@ -3138,12 +3144,12 @@ var Ul = {
     de.peek() && (de.value = null);
   },
   marquee(e, t, n) {
-    if (Za.value = n ? null : { from: e, to: t }, !n) return;
-    let o = jl(e, t);
+    if (es.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Ul(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function Ja(e, t) {
+function Za(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3153,7 +3159,7 @@ function Ja(e, t) {
   }
   return o;
 }
-var Wl = {
+var Bl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3161,15 +3167,15 @@ var Wl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function es() {
+function ts() {
   let e = te(null), t = te(null), n = te(null);
   return Ce(() => {
-    or(t.current);
-    let o = Xa(n.current), r = Ba(e.current, Ul);
+    rr(t.current);
+    let o = Ya(n.current), r = za(e.current, Wl);
     return () => {
-      or(null), o(), r();
+      rr(null), o(), r();
     };
-  }, []), Si(() => {
+  }, []), Mi(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3181,7 +3187,7 @@ function es() {
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${J.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
+        "aria-label": `View of ${J.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
         "aria-describedby": "view-keys",
         "data-tool": z.value ?? "",
         children: [
@@ -3189,13 +3195,13 @@ function es() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(Bl, {})
+          l(zl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: Wl[z.value] }),
-    l(Qa, {}),
+    z.value && l("p", { class: "hint", role: "status", children: Bl[z.value] }),
+    l(Ja, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3203,8 +3209,8 @@ function es() {
     l(ee, { part: "What" })
   ] });
 }
-function Bl() {
-  let e = Za.value;
+function zl() {
+  let e = es.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3219,20 +3225,20 @@ function Bl() {
 }
 
 // src/main.tsx
-function zl() {
+function Gl() {
   return l(X, { children: [
-    l(ya, {}),
-    l(Fa, {}),
-    l(es, {}),
+    l(_a, {}),
+    l(Na, {}),
+    l(ts, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Ua, {}),
+    l(Wa, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ri(l(zl, {}), ht);
+ii(l(Gl, {}), ht);
 T(() => {
   ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && D.value.you && !ge.value ? "yes" : "no";
 });
@@ -3245,82 +3251,82 @@ T(() => {
 T(() => {
   J.value && (document.title = `${J.value.name} – Lampyris`);
 });
-var ts = 0;
+var ns = 0;
 T(() => {
-  let [e, t] = _e.value, n = je.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !D.value.you || (clearTimeout(ts), ts = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  let [e, t] = _e.value, n = qe.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value !== "open" || pe.value === "watch" || !D.value.you || (clearTimeout(ns), ns = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ma();
-$a();
-Oi();
+ha();
+La();
+Di();
 export {
   _n as Fade,
   gn as Field,
   X as Fragment,
-  We as Gesture,
+  Ue as Gesture,
   G as Icon,
-  wr as Item,
-  Os as PRESETS,
-  Rr as Range,
-  Or as Virtual,
+  kr as Item,
+  Ds as PRESETS,
+  Or as Range,
+  Dr as Virtual,
   ut as across,
   oe as act,
   I as add,
-  fr as adding,
-  ll as allActions,
+  pr as adding,
+  ul as allActions,
   Se as ask,
-  ua as asked,
-  zs as back,
+  ca as asked,
+  Gs as back,
   mn as before,
   me as camera,
   wt as candles,
   le as chosenLamps,
-  xr as clearSolo,
+  Sr as clearSolo,
   po as closeWhat,
-  Aa as colorText,
+  Ra as colorText,
   ao as command,
   hn as compareHeld,
   he as comparing,
-  Xi as compass,
+  Yi as compass,
   N as computed,
-  gr as copyText,
+  br as copyText,
   Hr as cost,
   ye as cross,
-  Ar as css,
-  Zs as cut,
+  Rr as css,
+  el as cut,
   Zn as deselect,
   B as digits,
-  at as display,
-  De as distance,
+  it as display,
+  Ke as distance,
   q as dot,
-  nl as each,
+  ol as each,
   $e as edit,
   D as editor,
   T as effect,
   so as exposeBy,
   zo as fade,
-  rl as falseColor,
-  Ps as filterOf,
-  je as fine,
+  il as falseColor,
+  $s as filterOf,
+  qe as fine,
   dn as fitted,
   vn as format,
-  Gs as forth,
-  ur as frameSelection,
+  Xs as forth,
+  cr as frameSelection,
   ro as free,
-  Pl as fromHex,
+  $l as fromHex,
   Q as go,
-  cr as goHome,
-  Js as goInside,
-  Qs as goPreset,
+  fr as goHome,
+  Zs as goInside,
+  Js as goPreset,
   Nn as grids,
-  O as groups,
-  Us as handles,
-  On as hands,
+  K as groups,
+  Ws as handles,
+  Kn as hands,
   xe as hear,
   ne as here,
-  Va as hex,
+  Ia as hex,
   co as highlight,
-  rt as history,
+  ot as history,
   qo as houseLights,
   de as hovered,
   l as jsx,
@@ -3328,80 +3334,81 @@ export {
   Bo as lampMarks,
   S as lamps,
   on as layers,
-  Oe as length,
+  He as length,
   _t as listing,
   ge as lookOnly,
   Mt as looks,
+  Yo as lumensOf,
   dt as luxText,
-  Es as maintenance,
+  Ts as maintenance,
   xt as materials,
   Ct as meters,
-  Be as middle,
-  $l as mired,
-  ta as nameOf,
+  We as middle,
+  Ll as mired,
+  na as nameOf,
   Z as normal,
-  tl as onTool,
-  He as output,
-  Sl as padWalk,
+  nl as onTool,
+  at as output,
+  Ml as padWalk,
   Uo as panels,
   zn as penless,
   Ae as percent,
   Kr as pickRow,
   Vt as pinhole,
-  dr as positionOf,
+  mr as positionOf,
   cn as project,
   Ks as ray,
-  sl as register,
+  ll as register,
   pe as role,
   ae as say,
   M as scale,
   J as scene,
-  Ge as select,
+  ze as select,
   P as selection,
-  K as send,
-  el as setCut,
+  H as send,
+  tl as setCut,
   pt as sheet,
   $t as show,
   W as shown,
   g as signal,
   Wo as singleKeys,
-  hl as soloSelection,
+  vl as soloSelection,
   to as spot,
-  pr as startTool,
+  dr as startTool,
   Te as status,
-  Rs as step,
-  Ws as stepSelection,
-  al as storeLook,
-  il as storeView,
-  Zo as stroke,
+  Os as step,
+  Bs as stepSelection,
+  sl as storeLook,
+  al as storeView,
+  er as stroke,
   go as strokeLevel,
   F as sub,
-  Ir as switchOn,
+  Ar as switchOn,
   No as theme,
   be as things,
-  Ye as three,
+  Xe as three,
   eo as titleOf,
-  Pr as toLevel,
-  Tr as toTravel,
-  vr as toggleFalse,
-  fl as toggleWipe,
+  $r as toLevel,
+  Pr as toTravel,
+  gr as toggleFalse,
+  pl as toggleWipe,
   z as tool,
   Dn as travel,
   un as turn,
-  Vr as typeGroupLevel,
-  Lr as typeLevel,
+  Ir as typeGroupLevel,
+  Vr as typeLevel,
   Ve as up,
   Ce as useEffect,
-  ms as useLayoutEffect,
+  hs as useLayoutEffect,
   te as useRef,
-  Kt as viewName,
+  Ht as viewName,
   _e as viewSize,
   St as views,
-  Ta as walkNames,
+  Pa as walkNames,
   jo as walking,
-  hr as wantLevel,
-  Qe as what,
+  vr as wantLevel,
+  Ye as what,
   Gn as whyNot,
-  br as whyNotTo,
-  ul as wipeAt
+  yr as whyNotTo,
+  cl as wipeAt
 };

@@ -1,58 +1,58 @@
 // src/later/actions.ts
 import {
-  adding as ul,
-  asked as cl,
-  ask as pl,
-  back as ml,
+  adding as rl,
+  asked as il,
+  ask as sl,
+  back as ul,
   candles as ea,
   chosenLamps as pe,
-  clearSolo as dl,
+  clearSolo as cl,
   command as Jt,
-  compareHeld as hl,
-  copyText as gl,
-  deselect as bl,
+  compareHeld as pl,
+  copyText as ml,
+  deselect as dl,
   each as tn,
   edit as nn,
   exposeBy as ta,
-  falseColor as fl,
+  falseColor as hl,
   fine as na,
-  forth as vl,
-  frameSelection as yl,
-  go as kl,
-  goHome as wl,
-  goInside as xl,
-  goPreset as Ml,
+  forth as gl,
+  frameSelection as bl,
+  go as fl,
+  goHome as vl,
+  goInside as yl,
+  goPreset as kl,
   handles as aa,
-  hands as Sl,
-  here as Cl,
-  highlight as $l,
+  hands as wl,
+  here as xl,
+  highlight as Ml,
   history as oa,
   lampMarks as la,
   lamps as dt,
   listing as ra,
   lookOnly as ia,
   panels as sa,
-  PRESETS as Ll,
-  register as Pl,
+  PRESETS as Sl,
+  register as Cl,
   say as mt,
-  scene as Tl,
+  scene as $l,
   selection as ha,
-  send as El,
+  send as Ll,
   sheet as ze,
-  show as Vl,
-  soloSelection as Al,
+  show as Pl,
+  soloSelection as Tl,
   spot as Xe,
   startTool as ke,
   stepSelection as ua,
-  storeLook as Il,
-  storeView as Rl,
+  storeLook as El,
+  storeView as Vl,
   theme as ca,
   things as pa,
   titleOf as ga,
-  toggleFalse as ql,
-  toggleWipe as Fl,
+  toggleFalse as Al,
+  toggleWipe as Il,
   travel as ma,
-  views as Hl,
+  views as Rl,
   walking as en,
   whyNot as Q
 } from "./desk.js";
@@ -60,23 +60,23 @@ import {
 // src/later/tools.ts
 import {
   add as Ce,
-  adding as Zo,
+  adding as Xo,
   chosenLamps as jn,
-  cross as Jo,
-  distance as el,
+  cross as Qo,
+  distance as Yo,
   dot as zt,
   edit as it,
-  effect as tl,
+  effect as Zo,
   free as Yn,
   grids as zn,
   lamps as $e,
   meters as Xn,
   normal as Xt,
-  onTool as nl,
-  positionOf as al,
+  onTool as Jo,
+  positionOf as el,
   say as st,
   scale as ce,
-  select as ol,
+  select as tl,
   step as Qt,
   sub as ut,
   titleOf as ct,
@@ -84,17 +84,17 @@ import {
   up as Zn
 } from "./desk.js";
 var Ke = null;
-tl(() => {
+Zo(() => {
   ye.value !== "grid" && (Ke = null);
 });
-function ll(e) {
+function nl(e) {
   if (!e) return st("There is nothing at that point.", "warn");
   switch (ye.peek()) {
     case "aim":
       Be(jn.peek(), e.point), ye.value = null;
       break;
     case "place":
-      rl(jn.peek(), e), ye.value = null;
+      al(jn.peek(), e), ye.value = null;
       break;
     case "meter":
       Ue(e.point, e.normal), ye.value = null;
@@ -104,14 +104,14 @@ function ll(e) {
         Ke = e;
         return;
       }
-      il(Ke.point, e.point), Ke = null, ye.value = null;
+      ol(Ke.point, e.point), Ke = null, ye.value = null;
       break;
     case "add":
-      sl(Zo.peek(), e), ye.value = null;
+      ll(Xo.peek(), e), ye.value = null;
       break;
   }
 }
-nl(ll);
+Jo(nl);
 function Be(e, t) {
   let n = {};
   for (let a of e) {
@@ -123,12 +123,12 @@ function Be(e, t) {
 }
 function Yt(e, t) {
   let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
-    let r = o.filter((l) => !n.has(l));
-    r.length && (ol(t, r[r.length - 1]), queueMicrotask(() => a()));
+    let l = o.filter((r) => !n.has(r));
+    l.length && (tl(t, l[l.length - 1]), queueMicrotask(() => a()));
   });
   setTimeout(() => a(), 3e3);
 }
-function rl(e, t) {
+function al(e, t) {
   let n = je(e), a = n.get(e[e.length - 1]);
   if (!a) return st("What is selected has no place.", "warn");
   let o = ($e.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
@@ -141,10 +141,10 @@ function Ue(e, t) {
 function Zt(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-function il(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let a = Zn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Xt(Jo(a, o)), l = ut(t, e), [i, u] = [zt(l, o), zt(l, r)];
+function ol(e, t, n = { lux: 500, uniformity: 0.6 }) {
+  let a = Zn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], l = Xt(Qo(a, o)), r = ut(t, e), [i, u] = [zt(r, o), zt(r, l)];
   if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return st("An area needs two corners that lie apart.", "warn");
-  let s = Ce(e, Ce(ce(o, Math.min(i, 0)), ce(r, Math.min(u, 0))));
+  let s = Ce(e, Ce(ce(o, Math.min(i, 0)), ce(l, Math.min(u, 0))));
   [i, u] = [Math.abs(i), Math.abs(u)];
   let p = (g) => Math.max(1, Math.ceil(g / Zt(Math.max(i, u)))), c = Yn(zn);
   Yt(zn, "grid"), it("Lay a grid", {
@@ -153,7 +153,7 @@ function il(e, t, n = { lux: 500, uniformity: 0.6 }) {
         name: `Area ${c + 1}`,
         corner: s,
         u: ce(o, i),
-        v: ce(r, u),
+        v: ce(l, u),
         normal: a,
         columns: p(i),
         rows: p(u),
@@ -163,13 +163,13 @@ function il(e, t, n = { lux: 500, uniformity: 0.6 }) {
   });
 }
 var Qn = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function sl(e, t) {
-  let n = Zn.peek(), a = zt(t.normal, n), o = a > 0.7 ? Ce(t.point, ce(n, 1.2)) : Ce(t.point, ce(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, l = { position: o };
-  e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
+function ll(e, t) {
+  let n = Zn.peek(), a = zt(t.normal, n), o = a > 0.7 ? Ce(t.point, ce(n, 1.2)) : Ce(t.point, ce(t.normal, 0.15)), l = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, r = { position: o };
+  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
   let i = $e.all().filter(([, u]) => u.own).length;
   Yt($e, "lamp"), Qt(`Add ${Qn[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${Qn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
+    lamp: { name: `${Qn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: r }
   });
 }
 function pt(e, t, n) {
@@ -181,9 +181,9 @@ function Jn(e) {
 function _e(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = $e.get(o)?.place, l = n.get(o);
-    if (!l) continue;
-    let i = Ce(l, t), u = r?.aim && el(r.aim, i) > 1e-6 ? { direction: Xt(ut(r.aim, i)) } : {};
+    let l = $e.get(o)?.place, r = n.get(o);
+    if (!r) continue;
+    let i = Ce(r, t), u = l?.aim && Yo(l.aim, i) > 1e-6 ? { direction: Xt(ut(l.aim, i)) } : {};
     a[o] = { place: { position: i, ...u } };
   }
   return { lamps: a };
@@ -191,7 +191,7 @@ function _e(e, t, n) {
 function je(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = $e.get(n), o = a && al(a);
+    let a = $e.get(n), o = a && el(a);
     o && t.set(n, o);
   }
   return t;
@@ -199,11 +199,11 @@ function je(e) {
 
 // src/later/actions.ts
 var ne = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
-function Nl() {
+function ql() {
   let e = pe.peek(), t = !e.some((n) => dt.get(n)?.on);
   nn(`${ga(e)} ${t ? "on" : "off"}`, { lamps: tn(e, { on: t }) });
 }
-function Dl() {
+function Fl() {
   let e = pe.peek(), t = !e.every((n) => dt.get(n)?.parked);
   nn(`${t ? "Park" : "Unpark"} ${ga(e)}`, { lamps: tn(e, { parked: t }) });
 }
@@ -212,37 +212,37 @@ function da(e) {
   if (!n.length) return mt(e ? "Select a thing first." : "Nothing is hidden.", "warn");
   nn(e ? "Hide things" : "Show hidden things", { things: tn(n, { hidden: e }) });
 }
-function Ol() {
-  let e = pe.peek()[0], t = dt.get(e)?.place, n = Cl();
+function Hl() {
+  let e = pe.peek()[0], t = dt.get(e)?.place, n = xl();
   if (!t?.position || !t.direction || !n) return mt("Select a lamp that has a direction.", "warn");
   let { position: a, direction: o } = t;
-  kl({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+  fl({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function Wl() {
-  pl("command", {}, (e) => {
-    gl(e.text);
+function Nl() {
+  sl("command", {}, (e) => {
+    ml(e.text);
   });
 }
-var Gl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Kl = {
+var Ol = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Dl = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Bl = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: yl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: wl },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: xl },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ml },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: vl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Rl, why: Q },
-  ...Ll.map((e, t) => ({
+}, Wl = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: bl },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: vl },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: yl },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ul },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: gl },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Vl, why: Q },
+  ...Sl.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Kl[e],
+    label: Dl[e],
     keys: `Shift+${t + 1}`,
-    run: () => Ml(e)
+    run: () => kl(e)
   })),
   {
     id: "walking",
@@ -253,30 +253,30 @@ var Gl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
       en.value = en.peek() === "walk" ? "fly" : "walk", mt(en.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Ol, why: ne },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Hl, why: ne },
   { id: "next", group: "Select", label: "Next", keys: "]", run: () => ua(1) },
   { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ua(-1) },
   { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => ke("marquee") },
   { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => ha.value = { kind: "lamp", ids: dt.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: bl },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Nl, why: ne },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Al, why: () => pe.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: dl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => $l(!0), why: ne },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Dl, why: ne },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: dl },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ql, why: ne },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Tl, why: () => pe.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: cl },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => Ml(!0), why: ne },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Fl, why: ne },
   { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => ke("aim"), why: ne },
   { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Xe.peek() && Be(pe.peek(), Xe.peek().point), why: ne },
   { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => ke("place"), why: ne },
   { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => aa.value = "move" },
   { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => aa.value = "turn" },
-  ...Gl.map(([e, t]) => ({
+  ...Ol.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
     why: Q,
     run: () => {
-      ul.value = e, ke("add");
+      rl.value = e, ke("add");
     }
   })),
   { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => pt(pe.peek(), 1, [0.5, 0, 0]), why: ne },
@@ -287,30 +287,30 @@ var Gl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
   { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => Jt({ do: "redo" }), why: () => Q() ?? (oa.value.redo === null ? "There is nothing to redo." : null) },
   { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => ze.value = "save", why: Q },
   { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => ze.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Wl },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Nl },
   { id: "share", group: "Work", label: "Share by link", run: () => ze.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: ql },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Al },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = fl();
-      Vl({ false_color: { ...cl(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = hl();
+      Pl({ false_color: { ...il(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
   { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => ta(1) },
   { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => ta(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => El({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => hl(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Fl },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Ll({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => pl(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Il },
   { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Xe.peek() ? Ue(Xe.peek().point, Xe.peek().normal) : ke("meter") },
   { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => ke("meter"), why: Q },
   { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => ke("grid"), why: Q },
   { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => Jt({ do: "reach" }), why: Q },
   { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => ea.value = ea.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Il, why: Q },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: El, why: Q },
   { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => mt("Press J, then the digit of the look.") },
   { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => sa.value = !sa.peek() },
   { id: "listing", group: "Page", label: "Faders or sheet", run: () => ra.value = ra.peek() === "faders" ? "sheet" : "faders" },
@@ -323,26 +323,26 @@ var Gl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => Sl.value = e
+    run: () => wl.value = e
   })),
   { id: "help", group: "Page", label: "All keys", keys: "?", run: () => ze.value = "help" },
   { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => ze.value = "palette" }
 ];
-Pl(Bl);
+Cl(Wl);
 function ht() {
-  return [...(Tl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Hl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+  return [...($l.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Rl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/compare.tsx
-import { before as Ul, comparing as _l, digits as jl, fitted as zl, useEffect as Xl, useRef as Ql, viewSize as Yl, wipeAt as an } from "./desk.js";
-import { Fragment as Jl, jsx as on, jsxs as er } from "./desk.js";
-function Zl() {
-  let e = _l.value, t = Ul.value, n = Ql(null);
-  if (Xl(() => {
+import { before as Gl, comparing as Kl, digits as Bl, fitted as Ul, useEffect as _l, useRef as jl, viewSize as zl, wipeAt as an } from "./desk.js";
+import { Fragment as Ql, jsx as on, jsxs as Yl } from "./desk.js";
+function Xl() {
+  let e = Kl.value, t = Gl.value, n = jl(null);
+  if (_l(() => {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Yl.value, o = an.value, r = zl(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+  let [a] = zl.value, o = an.value, l = Ul(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), i = (s) => {
     let p = s.currentTarget;
     if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
     else if (p.hasPointerCapture(s.pointerId)) {
@@ -353,14 +353,14 @@ function Zl() {
     let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
     p && (s.stopPropagation(), s.preventDefault(), an.value = Math.max(0, Math.min(1, o + p)));
   };
-  return er(Jl, { children: [
+  return Yl(Ql, { children: [
     on(
       "canvas",
       {
         ref: n,
         class: "before",
         "aria-hidden": "true",
-        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
+        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * r}% 0 0)` : "none" }
       }
     ),
     on("span", { class: "tag left", children: "before" }),
@@ -375,7 +375,7 @@ function Zl() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${jl(o * 100)} % before`,
+        "aria-valuetext": `${Bl(o * 100)} % before`,
         style: { left: `${100 * o}%` },
         onPointerDown: i,
         onPointerMove: i,
@@ -388,45 +388,45 @@ function Zl() {
 // src/later/handles.tsx
 import {
   add as wa,
-  chosenLamps as ur,
+  chosenLamps as rr,
   computed as sn,
-  editor as cr,
-  effect as pr,
-  fitted as mr,
-  Gesture as dr,
-  handles as hr,
+  editor as ir,
+  effect as sr,
+  fitted as ur,
+  Gesture as cr,
+  handles as pr,
   lamps as bt,
-  lookOnly as gr,
-  middle as br,
-  nameOf as fr,
-  normal as vr,
-  pinhole as yr,
+  lookOnly as mr,
+  middle as dr,
+  nameOf as hr,
+  normal as gr,
+  pinhole as br,
   positionOf as Ma,
-  role as kr,
-  selection as wr,
-  shown as xr,
-  sub as Mr,
+  role as fr,
+  selection as vr,
+  shown as yr,
+  sub as kr,
   things as ft,
-  titleOf as Sr,
-  tool as Cr,
+  titleOf as wr,
+  tool as xr,
   turn as xa,
-  useEffect as $r,
-  useRef as Lr,
-  viewSize as Pr
+  useEffect as Mr,
+  useRef as Sr,
+  viewSize as Cr
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as ba, ray as tr } from "./desk.js";
-import { across as nr, add as ae, cross as ar, distance as or, dot as me, length as lr, normal as ln, scale as oe, sub as Le } from "./desk.js";
-var rr = "http://www.w3.org/2000/svg", rn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], gt = ["x", "y", "z"], fa = 0.1, ir = 5 * Math.PI / 180, va = 48;
+import { project as ba, ray as Zl } from "./desk.js";
+import { across as Jl, add as ae, cross as er, distance as tr, dot as me, length as nr, normal as ln, scale as oe, sub as Le } from "./desk.js";
+var ar = "http://www.w3.org/2000/svg", rn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], gt = ["x", "y", "z"], fa = 0.1, or = 5 * Math.PI / 180, va = 48;
 function ka(e, t) {
   let n = (d, b, k) => {
-    let w = document.createElementNS(rr, d);
+    let w = document.createElementNS(ar, d);
     return w.setAttribute("class", k), b.append(w), w;
   }, a = (d, b, k) => {
     let w = n("g", e, `handle ${d} ${gt[b] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = we.map((d, b) => a("ring", b, `ring-${gt[b]}`)), l = we.map((d, b) => a("plane", b, `plane-${gt[b]}`)), i = we.map((d, b) => a("arrow", b, `move-${gt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (d, b) => {
+  }, o = n("path", e, "aim-line"), l = we.map((d, b) => a("ring", b, `ring-${gt[b]}`)), r = we.map((d, b) => a("plane", b, `plane-${gt[b]}`)), i = we.map((d, b) => a("arrow", b, `move-${gt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (d, b) => {
     let [k, w, T] = ba(d.hole, b);
     return T < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
   }, g = (d, b) => {
@@ -440,27 +440,27 @@ function ka(e, t) {
   }, y = (d, b) => d.forEach((k) => k.group.classList.toggle("gone", !b));
   function V(d, b) {
     let k = d.position, w = c(b, k), T = g(b, k), C = d.mode === "move";
-    y([...i, ...l, u], C && w !== null), y(r, !C && w !== null && d.turns);
+    y([...i, ...r, u], C && w !== null), y(l, !C && w !== null && d.turns);
     let j = d.aim ?? (d.direction ? ae(k, oe(d.direction, 3 * T)) : null);
     if (y([s], j !== null && w !== null), !w) {
       o.setAttribute("d", "");
       return;
     }
-    we.forEach((O, U) => {
-      let R = c(b, ae(k, oe(O, T))), ot = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
+    we.forEach((D, U) => {
+      let R = c(b, ae(k, oe(D, T))), ot = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
       if (i[U].group.classList.toggle("gone", !C || ot), R && C) {
         let [ve, We] = [(R[0] - w[0]) / rn, (R[1] - w[1]) / rn], rt = Math.hypot(ve, We) || 1, [ue, Ge] = [ve / rt, We / rt], jt = [w[0] + 14 * ue, w[1] + 14 * Ge];
         m(i[U].hit, [jt, R]), i[U].seen.setAttribute("d", `M${jt[0].toFixed(1)} ${jt[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ue - 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge + 4.5 * ue).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ue + 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge - 4.5 * ue).toFixed(1)}`);
       }
-      let [De, Oe] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, b.hole.parallel ? b.hole.forward : ln(Le(k, b.hole.eye)))) < 0.15;
-      l[U].group.classList.toggle("gone", !C || Z);
-      let lt = (ve, We) => c(b, ae(k, ae(oe(De, ve * T), oe(Oe, We * T)))), _n = [lt(0.3, 0.3), lt(0.5, 0.3), lt(0.5, 0.5), lt(0.3, 0.5)];
-      if (m(l[U].hit, _n, !0), m(l[U].seen, _n, !0), !C) {
+      let [Oe, De] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(D, b.hole.parallel ? b.hole.forward : ln(Le(k, b.hole.eye)))) < 0.15;
+      r[U].group.classList.toggle("gone", !C || Z);
+      let lt = (ve, We) => c(b, ae(k, ae(oe(Oe, ve * T), oe(De, We * T)))), _n = [lt(0.3, 0.3), lt(0.5, 0.3), lt(0.5, 0.5), lt(0.3, 0.5)];
+      if (m(r[U].hit, _n, !0), m(r[U].seen, _n, !0), !C) {
         let ve = Array.from({ length: va + 1 }, (We, rt) => {
           let ue = 2 * Math.PI * rt / va;
-          return c(b, ae(k, ae(oe(De, Math.cos(ue) * T), oe(Oe, Math.sin(ue) * T))));
+          return c(b, ae(k, ae(oe(Oe, Math.cos(ue) * T), oe(De, Math.sin(ue) * T))));
         });
-        m(r[U].hit, ve), m(r[U].seen, ve);
+        m(l[U].hit, ve), m(l[U].seen, ve);
       }
     }), v(u.hit, w, 13), v(u.seen, w, 7);
     let I = j && c(b, j);
@@ -469,26 +469,26 @@ function ka(e, t) {
   let B = t.effect(() => {
     let d = t.target.value, b = t.view.value;
     e.classList.toggle("empty", !d || !b), d && b && V(d, b);
-  }), Kn = (d, b, k) => tr(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
+  }), Kn = (d, b, k) => Zl(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
   function Ne(d, b, k) {
     d.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
       w.preventDefault(), w.stopPropagation();
       let T = t.view.peek();
       if (!T || !t.target.peek()) return;
-      let C = e.getBoundingClientRect(), j = k(T), I = t.hold(b), O = Kn(T, w, C);
-      j(O, !1, { ...I, move: () => {
+      let C = e.getBoundingClientRect(), j = k(T), I = t.hold(b), D = Kn(T, w, C);
+      j(D, !1, { ...I, move: () => {
       }, turn: () => {
       }, rotate: () => {
       } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
       let U = (Z) => {
         p.textContent = j(Kn(T, Z, C), Z.ctrlKey || Z.metaKey, I), p.setAttribute("x", String(Z.clientX - C.left + 16)), p.setAttribute("y", String(Z.clientY - C.top - 12));
       }, R = (Z) => {
-        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", ot), d.removeEventListener("pointercancel", De), removeEventListener("keydown", Oe, !0), d.classList.remove("held"), p.textContent = "", Z ? I.end() : I.cancel();
-      }, ot = () => R(!0), De = () => R(!1), Oe = (Z) => {
+        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", ot), d.removeEventListener("pointercancel", Oe), removeEventListener("keydown", De, !0), d.classList.remove("held"), p.textContent = "", Z ? I.end() : I.cancel();
+      }, ot = () => R(!0), Oe = () => R(!1), De = (Z) => {
         Z.key === "Escape" && (Z.stopPropagation(), R(!1));
       };
-      d.addEventListener("pointermove", U), d.addEventListener("pointerup", ot), d.addEventListener("pointercancel", De), addEventListener("keydown", Oe, !0);
+      d.addEventListener("pointermove", U), d.addEventListener("pointerup", ot), d.addEventListener("pointercancel", Oe), addEventListener("keydown", De, !0);
     });
   }
   let Ut = (d, b, k) => k ? Math.round(d / b) * b : d, _t = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
@@ -496,26 +496,26 @@ function ka(e, t) {
     Ne(i[b].group, "move", () => {
       let k = t.target.peek().position, w = null;
       return (T, C, j) => {
-        let I = sr(k, d, T);
+        let I = lr(k, d, T);
         w ??= I;
-        let O = oe(d, Ut(I - w, fa, C));
-        return j.move(O), _t(O);
+        let D = oe(d, Ut(I - w, fa, C));
+        return j.move(D), _t(D);
       };
-    }), Ne(l[b].group, "move", () => Bn(d)), Ne(r[b].group, "turn", () => {
+    }), Ne(r[b].group, "move", () => Bn(d)), Ne(l[b].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
       return (T, C, j) => {
-        let I = ya(k.position, d, T), O = I && ln(Le(I, k.position), nr(d));
-        if (!O) return "";
-        w.at ??= O;
-        let U = Math.atan2(me(d, ar(w.at, O)), me(w.at, O)), R = Ut(U, ir, C);
+        let I = ya(k.position, d, T), D = I && ln(Le(I, k.position), Jl(d));
+        if (!D) return "";
+        w.at ??= D;
+        let U = Math.atan2(me(d, er(w.at, D)), me(w.at, D)), R = Ut(U, or, C);
         return j.rotate(d, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
       };
     });
   }), Ne(u.group, "move", (d) => Bn(d.hole.forward)), Ne(s.group, "aim", (d) => {
     let b = t.target.peek(), k = b.aim ?? ae(b.position, oe(b.direction, 3 * g(d, b.position))), w = Un(k, d.hole.forward);
     return (T, C, j) => {
-      let I = w(T, C), O = ae(k, I);
-      return or(O, b.position) > 1e-3 && j.turn(ln(Le(O, b.position)), O), _t(O);
+      let I = w(T, C), D = ae(k, I);
+      return tr(D, b.position) > 1e-3 && j.turn(ln(Le(D, b.position)), D), _t(D);
     };
   });
   function Bn(d) {
@@ -534,40 +534,40 @@ function ka(e, t) {
   }
   return { stop: B };
 }
-function sr(e, t, n) {
-  let a = Le(e, n.origin), o = me(t, n.direction), r = 1 - o * o;
-  return r < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / r;
+function lr(e, t, n) {
+  let a = Le(e, n.origin), o = me(t, n.direction), l = 1 - o * o;
+  return l < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / l;
 }
 function ya(e, t, n) {
   let a = me(t, n.direction);
-  if (Math.abs(a) < 1e-4 * lr(t)) return null;
+  if (Math.abs(a) < 1e-4 * nr(t)) return null;
   let o = me(Le(e, n.origin), t) / a;
   return o < 0 || o > 1e6 ? null : ae(n.origin, oe(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as qr } from "./desk.js";
-function Tr([e, t, n, a], [o, r, l, i]) {
+import { jsx as Ar } from "./desk.js";
+function $r([e, t, n, a], [o, l, r, i]) {
   return [
-    a * o + e * i + t * l - n * r,
-    a * r - e * l + t * i + n * o,
-    a * l + e * r - t * o + n * i,
-    a * i - e * o - t * r - n * l
+    a * o + e * i + t * r - n * l,
+    a * l - e * r + t * i + n * o,
+    a * r + e * l - t * o + n * i,
+    a * i - e * o - t * l - n * r
   ];
 }
-var Er = () => !gr.value && kr.value !== "watch" && cr.value.you && Cr.value !== "aim", Sa = sn(() => {
-  let e = wr.value;
-  if (!e || !Er()) return null;
+var Lr = () => !mr.value && fr.value !== "watch" && ir.value.you && xr.value !== "aim", Sa = sn(() => {
+  let e = vr.value;
+  if (!e || !Lr()) return null;
   if (e.kind === "thing") {
     let n = e.ids.filter((a) => ft.get(a) && !ft.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = ur.value.filter((n) => Ma(bt.get(n)));
+  let t = rr.value.filter((n) => Ma(bt.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
 }), Ca = (e) => {
   let t = ft.get(e);
-  return t?.place?.position ?? (t?.box ? br(t.box) : null);
-}, Vr = sn(() => {
+  return t?.place?.position ?? (t?.box ? dr(t.box) : null);
+}, Pr = sn(() => {
   let e = Sa.value;
   if (!e) return null;
   let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Ma(bt.get(t)) : Ca(t);
@@ -578,63 +578,63 @@ var Er = () => !gr.value && kr.value !== "watch" && cr.value.you && Cr.value !==
     direction: a?.direction ?? null,
     aim: a?.aim ?? null,
     turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: hr.value
+    mode: pr.value
   };
-}), Ar = sn(() => {
-  let e = xr.value;
-  if (Pr.value, !e) return null;
+}), Tr = sn(() => {
+  let e = yr.value;
+  if (Cr.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: yr(e.camera, t, n), fit: mr(t, n) };
-}), Ir = {
-  effect: pr,
-  target: Vr,
-  view: Ar,
+  return { hole: br(e.camera, t, n), fit: ur(t, n) };
+}), Er = {
+  effect: sr,
+  target: Pr,
+  view: Tr,
   hold(e) {
-    let t = Sa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? Sr(n) : n.length === 1 ? fr("thing", n[0]) : `${n.length} things`, r = new dr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? je(n) : new Map(n.map((s) => [s, Ca(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? bt : ft).get(s)?.place])), u = (s) => {
+    let t = Sa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? wr(n) : n.length === 1 ? hr("thing", n[0]) : `${n.length} things`, l = new cr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? je(n) : new Map(n.map((s) => [s, Ca(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? bt : ft).get(s)?.place])), u = (s) => {
       let p = n.map((c) => [c, s(c)]).filter(([, c]) => c);
-      r.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
+      l.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
     };
     return {
-      move: (s) => a === "lamps" ? r.set(_e(n, s, l)) : u((p) => ({ position: wa(l.get(p), s) })),
+      move: (s) => a === "lamps" ? l.set(_e(n, s, r)) : u((p) => ({ position: wa(r.get(p), s) })),
       turn: (s, p) => u((c) => i.get(c)?.direction ? { direction: s, ...p ? { aim: p } : {} } : null),
       rotate: (s, p) => u((c) => {
         let g = i.get(c);
         if (g?.direction) {
-          let y = vr(xa(g.direction, s, p)), V = g.aim && g.position ? xa(Mr(g.aim, g.position), s, p) : null;
+          let y = gr(xa(g.direction, s, p)), V = g.aim && g.position ? xa(kr(g.aim, g.position), s, p) : null;
           return { direction: y, ...V ? { aim: wa(g.position, V) } : {} };
         }
         let m = Math.sin(p / 2), v = [s[0] * m, s[1] * m, s[2] * m, Math.cos(p / 2)];
-        return { rotation: Tr(v, g?.rotation ?? [0, 0, 0, 1]) };
+        return { rotation: $r(v, g?.rotation ?? [0, 0, 0, 1]) };
       }),
-      end: () => r.end(),
-      cancel: () => r.cancel()
+      end: () => l.end(),
+      cancel: () => l.cancel()
     };
   }
 };
-function Rr() {
-  let e = Lr(null);
-  return $r(() => ka(e.current, Ir).stop, []), qr("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Vr() {
+  let e = Sr(null);
+  return Mr(() => ka(e.current, Er).stop, []), Ar("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/inspector.tsx
-import { act as vo, deselect as Fi, Icon as Ln, penless as Pn, selection as Hi, signal as Ni } from "./desk.js";
+import { act as fo, deselect as qi, Icon as Ln, penless as Pn, selection as Fi, signal as Hi } from "./desk.js";
 
 // src/later/measure.tsx
 import {
   deselect as Pa,
   digits as Ee,
   edit as yt,
-  grids as Wr,
+  grids as Nr,
   Icon as Ta,
   length as Ve,
   luxText as Ae,
   maintenance as un,
-  meters as Gr,
+  meters as Or,
   selection as Ea
 } from "./desk.js";
 
 // src/later/parts.tsx
-import { Field as $a, Gesture as Fr, Range as Hr, stroke as Nr, useRef as Dr } from "./desk.js";
+import { Field as $a, Gesture as Ir, Range as Rr, stroke as qr, useRef as Fr } from "./desk.js";
 import { jsx as le, jsxs as vt } from "./desk.js";
 function q({ title: e, note: t, children: n }) {
   return vt("section", { class: "part", "aria-label": e, children: [
@@ -654,11 +654,11 @@ function A(e) {
     le($a, { ...e, label: e.name ?? e.label })
   ] });
 }
-function Or(e, t) {
+function Hr(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
-function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
+function J({ label: e, names: t, quantity: n, value: a, set: o, step: l, disabled: r }) {
   let i = t ?? ["X", "Y", "Z"];
   return vt("div", { class: "line", role: "group", "aria-label": e, children: [
     le("span", { children: e }),
@@ -668,34 +668,34 @@ function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disable
         label: `${e} ${u}`,
         quantity: n,
         value: a[s],
-        text: Or(a[s], n),
-        step: r,
-        disabled: l,
+        text: Hr(a[s], n),
+        step: l,
+        disabled: r,
         set: (p) => o(s, p)
       },
       u
     )) })
   ] });
 }
-function Pe({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
-  let p = Dr(null), c = (m) => () => {
+function Pe({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r, class: i, style: u, disabled: s }) {
+  let p = Fr(null), c = (m) => () => {
     p.current?.[m](), p.current = null;
-  }, g = (m) => p.current ? p.current.set(o(m)) : Nr(e + t, t, o(m));
+  }, g = (m) => p.current ? p.current.set(o(m)) : qr(e + t, t, o(m));
   return le(
-    Hr,
+    Rr,
     {
       label: e,
       value: n,
       text: a,
-      notch: l,
+      notch: r,
       class: i,
       gradient: u,
       disabled: s,
-      begin: () => p.current = new Fr(t),
+      begin: () => p.current = new Ir(t),
       on: g,
       end: c("end"),
       cancel: c("cancel"),
-      reset: r === void 0 ? void 0 : () => g(r)
+      reset: l === void 0 ? void 0 : () => g(l)
     }
   );
 }
@@ -722,13 +722,13 @@ var re = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
 import { Fragment as cn, jsx as P, jsxs as _ } from "./desk.js";
-var Kr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+var Dr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
 function Va() {
-  let e = Ea.value?.ids[0], t = Gr.get(e);
+  let e = Ea.value?.ids[0], t = Or.get(e);
   if (!t) return P("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
-    let { lux: r, ...l } = { ...t, ...o };
-    yt(`${t.name}: ${a}`, { meters: { [e]: l } });
+    let { lux: l, ...r } = { ...t, ...o };
+    yt(`${t.name}: ${a}`, { meters: { [e]: r } });
   };
   return _(cn, { children: [
     P("header", { class: "panel-head", children: P(Te, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
@@ -736,7 +736,7 @@ function Va() {
     P("div", { class: "scroll", children: _(q, { title: "Meter", children: [
       _("label", { class: "line", children: [
         P("span", { children: "Measures" }),
-        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Kr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
+        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Dr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
       ] }),
       P(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: re(t.point, a, o) }) }),
       P(A, { label: "Shall read", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
@@ -752,7 +752,7 @@ function Va() {
 }
 var La = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
 function Aa() {
-  let e = Ea.value?.ids[0], t = Wr.get(e);
+  let e = Ea.value?.ids[0], t = Nr.get(e);
   if (!t) return P("p", { class: "quiet empty", children: "This grid is gone." });
   let n = un.value, a = (i, u) => {
     let { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: V } = { ...t, ...u };
@@ -760,10 +760,10 @@ function Aa() {
   }, o = () => {
     let i = Zt(Math.max(Ve(t.u), Ve(t.v)));
     a("standard spacing", { columns: Math.max(1, Math.ceil(Ve(t.u) / i)), rows: Math.max(1, Math.ceil(Ve(t.v) / i)) });
-  }, r = (i, u, s) => _(cn, { children: [
+  }, l = (i, u, s) => _(cn, { children: [
     P("dt", { children: i }),
     P("dd", { children: u == null ? "…" : s(u) })
-  ] }), l = t.target ?? { lux: 500, uniformity: 0.6 };
+  ] }), r = t.target ?? { lux: 500, uniformity: 0.6 };
   return _(cn, { children: [
     P("header", { class: "panel-head", children: P(Te, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
     _("p", { class: "crumbs", children: [
@@ -776,12 +776,12 @@ function Aa() {
     ] }),
     _("div", { class: "scroll", children: [
       P(q, { title: "Figures", note: n === 1 ? "new" : `× ${Ee(n, 2)}`, children: _("dl", { class: "figures", children: [
-        r("Ē", t.mean, (i) => Ae(i * n)),
-        r("E min", t.min, (i) => Ae(i * n)),
-        r("E max", t.max, (i) => Ae(i * n)),
-        r("U₀ = min / mean", t.uniformity, (i) => Ee(i, 2)),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ee(i, 2)),
-        r("± of Ē", t.error, (i) => Ae(i * n))
+        l("Ē", t.mean, (i) => Ae(i * n)),
+        l("E min", t.min, (i) => Ae(i * n)),
+        l("E max", t.max, (i) => Ae(i * n)),
+        l("U₀ = min / mean", t.uniformity, (i) => Ee(i, 2)),
+        l("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ee(i, 2)),
+        l("± of Ē", t.error, (i) => Ae(i * n))
       ] }) }),
       _(q, { title: "Target", children: [
         _("label", { class: "line", children: [
@@ -801,8 +801,8 @@ function Aa() {
             P("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        P(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
-        P(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
+        P(A, { label: "Ē at least", quantity: "lux", step: 50, value: r.lux, set: (i) => a("target", { target: { ...r, lux: i(r.lux) } }) }),
+        P(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: r.uniformity, set: (i) => a("target", { target: { ...r, uniformity: i(r.uniformity) } }) })
       ] }),
       _(q, { title: "Area", children: [
         P(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: re(t.corner, i, u) }) }),
@@ -823,7 +823,7 @@ function Aa() {
 // src/later/lamp.tsx
 import {
   act as he,
-  chosenLamps as ai,
+  chosenLamps as ei,
   dot as gn,
   edit as xt,
   format as Ka,
@@ -831,82 +831,83 @@ import {
   handles as kt,
   Icon as Re,
   lamps as yn,
-  layers as oi,
+  layers as ti,
+  lumensOf as ni,
   normal as Ba,
-  output as Ua,
+  output as ai,
   percent as vn,
   positionOf as Ha,
   selection as bn,
-  signal as _a,
-  spot as li,
+  signal as Ua,
+  spot as oi,
   sub as Na,
   titleOf as kn,
-  tool as ja,
-  toLevel as Da,
-  toTravel as ri,
+  tool as _a,
+  toLevel as Oa,
+  toTravel as li,
   typeLevel as fn,
-  up as ii,
-  Fade as si,
-  Field as ui,
-  wantLevel as Oa,
-  compass as za,
+  up as ri,
+  Fade as ii,
+  Field as si,
+  wantLevel as Da,
+  compass as ja,
   add as St,
   scale as qe,
-  length as ci,
-  Range as pi,
+  length as ui,
+  Range as ci,
   strokeLevel as Wa,
-  useRef as mi
+  useRef as pi
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as jr,
+  chosenLamps as Br,
   digits as Ra,
-  edit as zr,
-  fromHex as Xr,
-  hex as Qr,
+  edit as Ur,
+  fromHex as _r,
+  hex as jr,
   lamps as qa,
   mired as xe,
-  titleOf as Yr
+  titleOf as zr
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Br, mired as pn } from "./desk.js";
-function Ur(e, t) {
+import { css as Wr, mired as pn } from "./desk.js";
+function Gr(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
     -0.969266 * n + 1.8760108 + 0.041556 * a,
     0.0556434 * n - 0.2040259 + 1.0572252 * a
-  ].map((r) => Math.max(0, r));
+  ].map((l) => Math.max(0, l));
 }
-function _r(e) {
+function Kr(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
 function Ia(e, t, n = 9) {
-  return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = pn(e) + (pn(t) - pn(e)) * r / (n - 1);
-    return Br(Ur(..._r(1e6 / l)));
+  return `linear-gradient(to right, ${Array.from({ length: n }, (o, l) => {
+    let r = pn(e) + (pn(t) - pn(e)) * l / (n - 1);
+    return Wr(Gr(...Kr(1e6 / r)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
 import { Fragment as dn, jsx as N, jsxs as de } from "./desk.js";
-var Qe = 1800, hn = 1e4, Zr = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Jr = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], ei = Ia(Qe, hn), mn = (e, t) => ({
+var Qe = 1800, hn = 1e4, Xr = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Qr = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Yr = Ia(Qe, hn), mn = (e, t) => ({
   lamps: Object.fromEntries(e.map((n) => [n, { color: t(qa.get(n).color) }]))
-}), ti = (e) => {
+}), Zr = (e) => {
   let t = 1e6 / (xe(Qe) + (xe(hn) - xe(Qe)) * e);
   return Math.round(t / 10) * 10;
-}, ni = (e) => (xe(e) - xe(Qe)) / (xe(hn) - xe(Qe));
+}, Jr = (e) => (xe(e) - xe(Qe)) / (xe(hn) - xe(Qe));
 function Fa() {
-  let e = jr.value, t = e.map((l) => qa.get(l)?.color).filter((l) => l !== void 0);
+  let e = Br.value, t = e.map((r) => qa.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = G(t.map((l) => l.mode)), a = t[0], o = Yr(e), r = (l, i) => zr(`${o}: ${l}`, mn(e, i));
+  let n = G(t.map((r) => r.mode)), a = t[0], o = zr(e), l = (r, i) => Ur(`${o}: ${r}`, mn(e, i));
   return de(dn, { children: [
     de("div", { class: "line", children: [
       N("span", { children: "Colour" }),
-      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Jr.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
+      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Qr.map(([r, i]) => N("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${i}`, () => ({ mode: r })), children: i }, r)) })
     ] }),
     n === "kelvin" && de(dn, { children: [
       de("div", { class: "line slide", children: [
@@ -917,10 +918,10 @@ function Fa() {
             label: "Colour temperature",
             name: `${o}: white`,
             class: "mired",
-            style: ei,
-            value: ni(a.kelvin),
+            style: Yr,
+            value: Jr(a.kelvin),
             text: `${Ra(a.kelvin)} kelvin`,
-            patch: (l) => mn(e, () => ({ mode: "kelvin", kelvin: ti(l) }))
+            patch: (r) => mn(e, () => ({ mode: "kelvin", kelvin: Zr(r) }))
           }
         )
       ] }),
@@ -930,12 +931,12 @@ function Fa() {
           label: "",
           name: "Colour temperature, typed",
           quantity: "kelvin",
-          value: G(t.map((l) => l.kelvin)),
+          value: G(t.map((r) => r.kelvin)),
           step: 50,
-          set: (l) => r("white", (i) => ({ mode: "kelvin", kelvin: l(i.kelvin) }))
+          set: (r) => l("white", (i) => ({ mode: "kelvin", kelvin: r(i.kelvin) }))
         }
       ),
-      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Zr.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
+      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Xr.map(([r, i]) => N("button", { title: i, "aria-label": `${r} kelvin, ${i}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
       de("div", { class: "line slide", children: [
         N("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         N(
@@ -948,16 +949,16 @@ function Fa() {
             text: `${Ra(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => mn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (r) => mn(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, l(i.tint))) })) })
+      N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (i) => ({ tint: Math.max(-50, Math.min(50, r(i.tint))) })) })
     ] }),
     n === "rgb" && de(dn, { children: [
       de("label", { class: "line", children: [
         N("span", { children: "Colour" }),
-        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: Qr(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: Xr(l.currentTarget.value) })) })
+        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: jr(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: _r(r.currentTarget.value) })) })
       ] }),
       N(
         J,
@@ -967,22 +968,22 @@ function Fa() {
           quantity: "number",
           step: 0.01,
           value: a.rgb,
-          set: (l, i) => r("colour", (u) => ({ rgb: u.rgb.map((s, p) => p === l ? Math.max(0, i(s)) : s) }))
+          set: (r, i) => l("colour", (u) => ({ rgb: u.rgb.map((s, p) => p === r ? Math.max(0, i(s)) : s) }))
         }
       )
     ] }),
     n === "xy" && de("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
       N("span", { children: "x, y" }),
-      N("span", { class: "triple", children: [0, 1].map((l) => N(
+      N("span", { class: "triple", children: [0, 1].map((r) => N(
         A,
         {
-          label: "xy"[l],
+          label: "xy"[r],
           quantity: "number",
           step: 1e-3,
-          value: G(t.map((i) => i.xy[l])),
-          set: (i) => r("chromaticity", (u) => ({ xy: u.xy.map((s, p) => p === l ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
+          value: G(t.map((i) => i.xy[r])),
+          set: (i) => l("chromaticity", (u) => ({ xy: u.xy.map((s, p) => p === r ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
         },
-        l
+        r
       )) })
     ] }),
     n === null && N("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
@@ -990,20 +991,20 @@ function Fa() {
 }
 
 // src/later/lamp.tsx
-import { Fragment as wn, jsx as f, jsxs as D } from "./desk.js";
-var Ie = _a(1), wt = _a([1, 0, 0]), di = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Ct = 180 / Math.PI;
+import { Fragment as wn, jsx as f, jsxs as O } from "./desk.js";
+var Ie = Ua(1), wt = Ua([1, 0, 0]), mi = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Ct = 180 / Math.PI;
 function Ga(e, t) {
-  let { right: n, ahead: a } = za(t), o = -gn(e, t);
+  let { right: n, ahead: a } = ja(t), o = -gn(e, t);
   return [Math.atan2(gn(e, n), gn(e, a)) * Ct, Math.asin(Math.max(-1, Math.min(1, o))) * Ct];
 }
-function hi(e, t, n) {
-  let { right: a, ahead: o } = za(n), [r, l] = [e / Ct, t / Ct], i = St(qe(a, Math.sin(r)), qe(o, Math.cos(r)));
-  return Ba(St(qe(i, Math.cos(l)), qe(n, -Math.sin(l))));
+function di(e, t, n) {
+  let { right: a, ahead: o } = ja(n), [l, r] = [e / Ct, t / Ct], i = St(qe(a, Math.sin(l)), qe(o, Math.cos(l)));
+  return Ba(St(qe(i, Math.cos(r)), qe(n, -Math.sin(r))));
 }
-function gi({ ids: e, all: t }) {
+function hi({ ids: e, all: t }) {
   let n = t.some((a) => a.place?.direction);
-  return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    D("button", { "aria-pressed": ja.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
+  return O("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
+    O("button", { "aria-pressed": _a.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
       f(Re, { name: "aim" }),
       "Aim"
     ] }),
@@ -1015,26 +1016,26 @@ function gi({ ids: e, all: t }) {
     f("button", { class: "icon", "aria-label": `Remove ${kn(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: f(Re, { name: "bin" }) })
   ] });
 }
-function bi({ ids: e, all: t }) {
-  let n = G(t.map((l) => l.level)), a = t.reduce((l, i) => l + i.flux * Ua(i), 0), o = t.every((l) => l.free), r = e[e.length - 1];
-  return D(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
-    D("div", { class: "line slide", children: [
+function gi({ ids: e, all: t }) {
+  let n = G(t.map((r) => r.level)), a = ni(e), o = t.every((r) => r.free), l = e[e.length - 1];
+  return O(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
+    O("div", { class: "line slide", children: [
       f("span", { children: "Level" }),
-      f(fi, { id: r })
+      f(bi, { id: l })
     ] }),
-    D("label", { class: "line", children: [
+    O("label", { class: "line", children: [
       f("span", {}),
       f(
-        ui,
+        si,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
-          flux: G(t.map((l) => l.flux)) ?? void 0,
+          flux: G(t.map((r) => r.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => fn(e, l),
-          open: Oa.value,
-          opened: () => Oa.value = "",
+          set: (r) => fn(e, r),
+          open: Da.value,
+          opened: () => Da.value = "",
           id: "level"
         }
       )
@@ -1045,14 +1046,14 @@ function bi({ ids: e, all: t }) {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => fn(e, (i, u) => l(i * u) / u)
+        set: (r) => fn(e, (i, u) => r(i * u) / u)
       }
     ),
-    D("div", { class: "line", children: [
+    O("div", { class: "line", children: [
       f("span", { children: "Stops" }),
-      f("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: di.map(([l, i]) => f("button", { "aria-label": `${i} stop`, onClick: () => fn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
+      f("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: mi.map(([r, i]) => f("button", { "aria-label": `${i} stop`, onClick: () => fn(e, (u) => Math.min(1e3, u * 2 ** r)), children: i }, i)) })
     ] }),
-    D("p", { class: "sum", children: [
+    O("p", { class: "sum", children: [
       Ka(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
@@ -1061,20 +1062,20 @@ function bi({ ids: e, all: t }) {
     f(Fa, {})
   ] });
 }
-function fi({ id: e }) {
-  let t = mi(null), n = yn.get(e);
+function bi({ id: e }) {
+  let t = pi(null), n = yn.get(e);
   if (!n) return null;
-  let a = { kind: "lamp", id: e }, o = (r) => () => {
-    t.current?.[r](), t.current = null;
+  let a = { kind: "lamp", id: e }, o = (l) => () => {
+    t.current?.[l](), t.current = null;
   };
   return f(
-    pi,
+    ci,
     {
       label: "Level",
-      value: ri(n.level),
-      text: `${vn(n.level)} %, ${Ka(n.flux * Ua(n), "flux")}`,
-      begin: () => t.current = new si(a),
-      on: (r) => t.current ? t.current.to(Da(r)) : Wa(a, Da(r)),
+      value: li(n.level),
+      text: `${vn(n.level)} %, ${Ka(n.flux * ai(n), "flux")}`,
+      begin: () => t.current = new ii(a),
+      on: (l) => t.current ? t.current.to(Oa(l)) : Wa(a, Oa(l)),
       end: o("end"),
       cancel: o("cancel"),
       reset: () => Wa(a, 1)
@@ -1084,29 +1085,29 @@ function fi({ id: e }) {
 function Ye(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = yn.get(o), l = n(r.place ?? {}, r);
-    l && (a[o] = { place: l });
+    let l = yn.get(o), r = n(l.place ?? {}, l);
+    r && (a[o] = { place: r });
   }
   Object.keys(a).length && xt(`${kn(e)}: ${t}`, { lamps: a });
 }
-function vi({ ids: e, all: t }) {
-  let n = (o) => G(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
-  return !a("outer") && !a("radius") ? null : D(q, { title: "Beam", note: "re-trace", children: [
-    a("outer") && D(wn, { children: [
-      f(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Ye(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      f(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Ye(e, "beam", (r) => {
-        if (r.outer == null) return null;
-        let l = Math.max(0.2, Math.min(179, o(r.outer)));
-        return { outer: l, inner: Math.min(r.inner ?? l, l) };
+function fi({ ids: e, all: t }) {
+  let n = (o) => G(t.map((l) => l.place?.[o] ?? null)), a = (o) => t.some((l) => l.place?.[o] != null);
+  return !a("outer") && !a("radius") ? null : O(q, { title: "Beam", note: "re-trace", children: [
+    a("outer") && O(wn, { children: [
+      f(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Ye(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
+      f(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Ye(e, "beam", (l) => {
+        if (l.outer == null) return null;
+        let r = Math.max(0.2, Math.min(179, o(l.outer)));
+        return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    a("radius") && f(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Ye(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    a("radius") && f(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Ye(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
   ] });
 }
-function yi({ ids: e, all: t }) {
+function vi({ ids: e, all: t }) {
   let n = t.filter((c) => Ha(c) !== null);
   if (!n.length) return null;
-  let a = n.map((c) => Ha(c)), o = (c, g) => G(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), l = ii.value, i = r.map((c) => Ga(c.place?.direction, l).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
+  let a = n.map((c) => Ha(c)), o = (c, g) => G(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), l = t.filter((c) => c.place?.direction), r = ri.value, i = l.map((c) => Ga(c.place?.direction, r).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
     let m = je(e), v = {};
     for (let [y, V] of m) {
       let B = [0, 0, 0];
@@ -1115,14 +1116,14 @@ function yi({ ids: e, all: t }) {
     xt(`Move ${kn(e)}`, { lamps: v });
   }, p = (c, g) => Ye(e, c ? "tilt" : "pan", (m) => {
     if (!m.direction) return null;
-    let v = Ga(m.direction, l);
+    let v = Ga(m.direction, r);
     v[c] = g(v[c]);
-    let y = hi(v[0], Math.max(-90, Math.min(90, v[1])), l), V = m.aim && m.position ? ci(Na(m.aim, m.position)) : 0;
+    let y = di(v[0], Math.max(-90, Math.min(90, v[1])), r), V = m.aim && m.position ? ui(Na(m.aim, m.position)) : 0;
     return { direction: y, ...V && m.position ? { aim: St(m.position, qe(y, V)) } : {} };
   });
-  return D(q, { title: "Place", note: "re-trace", children: [
+  return O(q, { title: "Place", note: "re-trace", children: [
     f(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: s }),
-    r.length > 0 && D(wn, { children: [
+    l.length > 0 && O(wn, { children: [
       f(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((c) => c[0])), set: (c) => p(0, c) }),
       f(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((c) => c[1])), set: (c) => p(1, c) }),
       f(
@@ -1140,45 +1141,45 @@ function yi({ ids: e, all: t }) {
         }
       )
     ] }),
-    D("div", { class: "line", children: [
+    O("div", { class: "line", children: [
       f("span", { children: "Handles" }),
-      D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
+      O("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
         f("button", { "aria-pressed": kt.value === "move", onClick: () => kt.value = "move", children: "Move" }),
         f("button", { "aria-pressed": kt.value === "turn", onClick: () => kt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    f("button", { class: "plain full", "aria-pressed": ja.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
-    r.length > 0 && li.value && f("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
+    f("button", { class: "plain full", "aria-pressed": _a.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
+    l.length > 0 && oi.value && f("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function ki({ ids: e, all: t }) {
-  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(q, { title: "Copies along a line", children: [
+function yi({ ids: e, all: t }) {
+  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : O(q, { title: "Copies along a line", children: [
     f(A, { label: "How many", quantity: "number", step: 1, value: Ie.value, set: (n) => Ie.value = Math.max(1, Math.min(100, Math.round(n(Ie.value)))) }),
     f(J, { label: "Step", quantity: "length", step: 0.05, value: wt.value, set: (n, a) => wt.value = re(wt.value, n, a) }),
-    D("button", { class: "plain full", onClick: () => pt(e, Ie.value, wt.value), children: [
+    O("button", { class: "plain full", onClick: () => pt(e, Ie.value, wt.value), children: [
       f(Re, { name: "copy" }),
       Ie.value === 1 ? "One copy" : `${Ie.value} copies`
     ] })
   ] });
 }
-function Xa() {
-  let e = ai.value, t = e.map((l) => yn.get(l)).filter((l) => !!l);
+function za() {
+  let e = ei.value, t = e.map((r) => yn.get(r)).filter((r) => !!r);
   if (!t.length) return f("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && Mt.get(n.group), o = bn.value?.kind === "group" ? Mt.get(bn.value.ids[0]) : void 0, r = n?.layer != null ? oi.value[n.layer] : void 0;
-  return D(wn, { children: [
-    f("header", { class: "panel-head", children: n ? f(Te, { label: "Name of the lamp", value: n.name, set: (l) => xt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? f(Te, { label: "Name of the group", value: o.name, set: (l) => xt(`Rename ${o.name}`, { groups: { [bn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
+  let n = t.length === 1 ? t[0] : null, a = n && Mt.get(n.group), o = bn.value?.kind === "group" ? Mt.get(bn.value.ids[0]) : void 0, l = n?.layer != null ? ti.value[n.layer] : void 0;
+  return O(wn, { children: [
+    f("header", { class: "panel-head", children: n ? f(Te, { label: "Name of the lamp", value: n.name, set: (r) => xt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: r } } }) }) : o ? f(Te, { label: "Name of the group", value: o.name, set: (r) => xt(`Rename ${o.name}`, { groups: { [bn.value.ids[0]]: { name: r } } }) }) : O("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    f("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
-    D("div", { class: "scroll", children: [
+    f("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${l ? ` ▸ ${l.name}` : ""}` : `${t.filter((r) => r.on).length} of ${t.length} on` }),
+    O("div", { class: "scroll", children: [
+      f(hi, { ids: e, all: t }),
       f(gi, { ids: e, all: t }),
-      f(bi, { ids: e, all: t }),
       f(q, { title: "Photometry", children: f("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      f(fi, { ids: e, all: t }),
       f(vi, { ids: e, all: t }),
       f(yi, { ids: e, all: t }),
-      f(ki, { ids: e, all: t }),
-      f("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+      f("p", { class: "cost", children: t.every((r) => r.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
@@ -1187,35 +1188,35 @@ function Xa() {
 import {
   act as xn,
   candles as $t,
-  command as wi,
+  command as ki,
   digits as Pt,
-  edit as Qa,
-  Field as xi,
-  filterOf as eo,
-  go as Mi,
-  history as Si,
-  hovered as Ya,
+  edit as Xa,
+  Field as wi,
+  filterOf as Ja,
+  go as xi,
+  history as Mi,
+  hovered as Qa,
   Icon as Tt,
-  layers as Ci,
-  lookOnly as Za,
+  layers as Si,
+  lookOnly as Ya,
   maintenance as Fe,
-  materials as $i,
-  percent as Li,
-  scene as Pi,
-  select as to,
-  signal as Ti,
-  singleKeys as Ja,
-  sub as Ei,
-  things as Vi,
+  materials as Ci,
+  percent as $i,
+  scene as Li,
+  select as eo,
+  signal as Pi,
+  singleKeys as Za,
+  sub as Ti,
+  things as Ei,
   travel as Lt,
-  Virtual as no
+  Virtual as to
 } from "./desk.js";
-import { Fragment as Ai, jsx as M, jsxs as E } from "./desk.js";
-function ao() {
-  let e = Pi.value;
+import { Fragment as Vi, jsx as M, jsxs as E } from "./desk.js";
+function no() {
+  let e = Li.value;
   if (!e) return null;
-  let t = Ei(e.bounds[1], e.bounds[0]);
-  return E(Ai, { children: [
+  let t = Ti(e.bounds[1], e.bounds[0]);
+  return E(Vi, { children: [
     E(q, { title: "Room", children: [
       E("p", { children: [
         t.map((n) => Pt(n, 2)).join(" × "),
@@ -1223,7 +1224,7 @@ function ao() {
         e.triangles ? `, ${Pt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Mi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => xi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
       e.warnings.length > 0 && E("details", { children: [
         E("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
@@ -1235,7 +1236,7 @@ function ao() {
     E(q, { title: "Figures", children: [
       E("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
-        M(xi, { label: "Maintenance factor", quantity: "share", value: Fe.value, step: 0.05, set: (n) => Fe.value = Math.max(0.1, Math.min(1, n(Fe.value))) })
+        M(wi, { label: "Maintenance factor", quantity: "share", value: Fe.value, step: 0.05, set: (n) => Fe.value = Math.max(0.1, Math.min(1, n(Fe.value))) })
       ] }),
       E("p", { class: "quiet", children: [
         Fe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
@@ -1249,10 +1250,10 @@ function ao() {
         ] })
       ] })
     ] }),
-    M(q, { title: "Layers of light", children: M("ul", { class: "layers", children: Ci.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(q, { title: "Layers of light", children: M("ul", { class: "layers", children: Si.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
       M("span", { children: n.name || `layer ${a + 1}` }),
-      M("small", { children: n.held ? "held" : Li(n.of ? n.batches / n.of : 0) + " %" })
+      M("small", { children: n.held ? "held" : $i(n.of ? n.batches / n.of : 0) + " %" })
     ] }, a)) }) }),
     E(q, { title: "Hands", children: [
       E("div", { class: "line", children: [
@@ -1263,48 +1264,48 @@ function ao() {
         ] })
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Ja.value, onChange: (n) => Ja.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: Za.value, onChange: (n) => Za.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Za.value, onChange: (n) => Za.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: Ya.value, onChange: (n) => Ya.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var Et = Ti("");
-function oo({ label: e }) {
+var Et = Pi("");
+function ao({ label: e }) {
   return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Et.value, onInput: (t) => Et.value = t.currentTarget.value }) });
 }
-function lo() {
-  let e = eo(Vi, Et.value);
+function oo() {
+  let e = Ja(Ei, Et.value);
   return E("div", { class: "listing", children: [
-    M(oo, { label: "Filter things" }),
+    M(ao, { label: "Filter things" }),
     M(
-      no,
+      to,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Ya.value = { kind: "thing", id: n }, onPointerLeave: () => Ya.value = null, children: [
-            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Qa(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Tt, { name: a.hidden ? "eye-off" : "eye" }) }),
-            M("button", { class: "row-name", onClick: () => to("thing", n), children: M("span", { children: a.name }) }),
-            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Qa(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Tt, { name: a.locked ? "lock" : "unlock" }) })
+          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Qa.value = { kind: "thing", id: n }, onPointerLeave: () => Qa.value = null, children: [
+            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Xa(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Tt, { name: a.hidden ? "eye-off" : "eye" }) }),
+            M("button", { class: "row-name", onClick: () => eo("thing", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Xa(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Tt, { name: a.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function ro() {
-  let e = eo($i, Et.value);
+function lo() {
+  let e = Ja(Ci, Et.value);
   return E("div", { class: "listing", children: [
-    M(oo, { label: "Filter materials" }),
+    M(ao, { label: "Filter materials" }),
     M(
-      no,
+      to,
       {
         label: "Materials",
         count: e.length,
@@ -1312,7 +1313,7 @@ function ro() {
         row: (t) => {
           let [n, a] = e[t];
           return E("div", { class: "sheet-row material", role: "listitem", children: [
-            M("button", { class: "row-name", onClick: () => to("material", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "row-name", onClick: () => eo("material", n), children: M("span", { children: a.name }) }),
             E("small", { children: [
               a.kind,
               a.reflectance != null ? ` · ρ ${Pt(a.reflectance, 2)}` : ""
@@ -1323,8 +1324,8 @@ function ro() {
     )
   ] });
 }
-function io() {
-  let e = Si.value;
+function ro() {
+  let e = Mi.value;
   return E(q, { title: "History", children: [
     E("p", { children: [
       e.steps === 1 ? "One step" : `${Pt(e.steps)} steps`,
@@ -1339,36 +1340,36 @@ function io() {
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
     M("button", { class: "plain full", onClick: () => xn("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => wi({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => ki({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
   digits as Mn,
-  edit as po,
-  fromHex as Ii,
-  hex as Ri,
-  Icon as so,
-  materials as mo,
-  middle as uo,
-  select as ho,
-  selection as go,
+  edit as co,
+  fromHex as Ai,
+  hex as Ii,
+  Icon as io,
+  materials as po,
+  middle as so,
+  select as mo,
+  selection as ho,
   things as Sn
 } from "./desk.js";
 import { Fragment as $n, jsx as $, jsxs as z } from "./desk.js";
 var Cn = 180 / Math.PI;
-function co(e, t) {
+function uo(e, t) {
   return e ? 2 * Math.atan2(e[t], e[3]) * Cn : 0;
 }
-function qi(e, t) {
+function Ri(e, t) {
   let n = [0, 0, 0, Math.cos(t / Cn / 2)];
   return n[e] = Math.sin(t / Cn / 2), n;
 }
-function bo() {
-  let e = (go.value?.ids ?? []).filter((u) => Sn.get(u)), t = e.map((u) => Sn.get(u));
+function go() {
+  let e = (ho.value?.ids ?? []).filter((u) => Sn.get(u)), t = e.map((u) => Sn.get(u));
   if (!t.length) return $("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => po(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), l = t.map((u) => u.place?.position ?? (u.box ? uo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), l = (u, s) => co(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), r = t.map((u) => u.place?.position ?? (u.box ? so(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
   return z($n, { children: [
     $("header", { class: "panel-head", children: $("h2", { children: a }) }),
     i && z("p", { class: "crumbs", children: [
@@ -1377,12 +1378,12 @@ function bo() {
     ] }),
     z("div", { class: "scroll", children: [
       z("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          $(so, { name: n.hidden ? "eye-off" : "eye" }),
+        z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+          $(io, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        z("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
-          $(so, { name: o ? "lock" : "unlock" }),
+        z("button", { "aria-pressed": o, onClick: () => l(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
+          $(io, { name: o ? "lock" : "unlock" }),
           o ? "Locked" : "Lock"
         ] })
       ] }),
@@ -1395,8 +1396,8 @@ function bo() {
             quantity: "length",
             step: 0.01,
             disabled: o,
-            value: [0, 1, 2].map((u) => G(l.map((s) => Math.round(s[u] * 1e4) / 1e4))),
-            set: (u, s) => r("move", (p) => ({ place: { position: re(p.place?.position ?? uo(p.box), u, s) } }))
+            value: [0, 1, 2].map((u) => G(r.map((s) => Math.round(s[u] * 1e4) / 1e4))),
+            set: (u, s) => l("move", (p) => ({ place: { position: re(p.place?.position ?? so(p.box), u, s) } }))
           }
         ),
         [0, 1, 2].map((u) => $(
@@ -1406,8 +1407,8 @@ function bo() {
             quantity: "angle",
             step: 5,
             disabled: o,
-            value: G(t.map((s) => Math.round(co(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (p) => ({ place: { rotation: qi(u, s(co(p.place?.rotation, u))) } }))
+            value: G(t.map((s) => Math.round(uo(s.place?.rotation, u) * 10) / 10)),
+            set: (s) => l("turn", (p) => ({ place: { rotation: Ri(u, s(uo(p.place?.rotation, u))) } }))
           },
           u
         )),
@@ -1419,18 +1420,18 @@ function bo() {
             step: 0.05,
             disabled: o,
             value: G(t.map((u) => u.place?.scale ?? 1)),
-            set: (u) => r("scale", (s) => ({ place: { scale: Math.max(1e-3, u(s.place?.scale ?? 1)) } }))
+            set: (u) => l("scale", (s) => ({ place: { scale: Math.max(1e-3, u(s.place?.scale ?? 1)) } }))
           }
         )
       ] }),
-      $(q, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => ho("material", u), children: mo.get(u)?.name ?? `material ${u}` }) }, u)) }) })
+      $(q, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => mo("material", u), children: po.get(u)?.name ?? `material ${u}` }) }, u)) }) })
     ] })
   ] });
 }
-function fo() {
-  let e = go.value?.ids[0], t = mo.get(e);
+function bo() {
+  let e = ho.value?.ids[0], t = po.get(e);
   if (!t) return $("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => po(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, l > 1e-4 ? p / l * s : s))), u = (s, p) => t[p] != null && z($n, { children: [
+  let n = (s, p) => co(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, r > 1e-4 ? p / r * s : s))), u = (s, p) => t[p] != null && z($n, { children: [
     z("div", { class: "line slide", children: [
       $("span", { children: s }),
       $(Pe, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Mn(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
@@ -1444,27 +1445,27 @@ function fo() {
       z(q, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
         z("div", { class: "line slide", children: [
           $("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          $(Pe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Mn(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+          $(Pe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: Mn(r, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
-        $(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
+        $(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(r))) }) }),
         z("label", { class: "line", children: [
           $("span", { children: "Colour" }),
-          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ri(o), onChange: (s) => n("colour", { [a]: Ii(s.currentTarget.value) }) })
+          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ii(o), onChange: (s) => n("colour", { [a]: Ai(s.currentTarget.value) }) })
         ] }),
         u("Roughness", "roughness"),
         u("Gloss", "specular")
       ] }),
-      $(q, { title: "On", children: $("ul", { class: "buttons", children: Sn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => $("li", { children: $("button", { onClick: () => ho("thing", s), children: p.name }) }, s)) }) })
+      $(q, { title: "On", children: $("ul", { class: "buttons", children: Sn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => $("li", { children: $("button", { onClick: () => mo("thing", s), children: p.name }) }, s)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as yo, jsx as F, jsxs as Vt } from "./desk.js";
-var Ze = ["Scene", "Things", "Materials", "History"], ge = Ni("Scene");
-function Di() {
-  let e = { Scene: ao, Things: lo, Materials: ro, History: io }[ge.value];
-  return Vt(yo, { children: [
+import { Fragment as vo, jsx as F, jsxs as Vt } from "./desk.js";
+var Ze = ["Scene", "Things", "Materials", "History"], ge = Hi("Scene");
+function Ni() {
+  let e = { Scene: no, Things: oo, Materials: lo, History: ro }[ge.value];
+  return Vt(vo, { children: [
     F("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
       let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
       a && (n.preventDefault(), n.stopPropagation(), ge.value = Ze[(Ze.indexOf(ge.value) + a + Ze.length) % Ze.length], document.getElementById(`tab-${ge.value}`)?.focus());
@@ -1473,71 +1474,71 @@ function Di() {
   ] });
 }
 function Oi() {
-  let e = Hi.value;
-  return e ? Vt(yo, { children: [
+  let e = Fi.value;
+  return e ? Vt(vo, { children: [
     Vt("nav", { class: "chooser", "aria-label": "Selection", children: [
-      F("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => vo("previous"), children: F(Ln, { name: "back" }) }),
-      F("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => vo("next"), children: F(Ln, { name: "forth" }) }),
+      F("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => fo("previous"), children: F(Ln, { name: "back" }) }),
+      F("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => fo("next"), children: F(Ln, { name: "forth" }) }),
       F("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
       F("span", { class: "gap" }),
-      F("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Fi, children: F(Ln, { name: "close" }) })
+      F("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: qi, children: F(Ln, { name: "close" }) })
     ] }),
     Pn.value && F("p", { class: "penless", children: Pn.value }),
     Vt("fieldset", { class: "editing", disabled: Pn.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && F(Xa, {}),
-      e.kind === "thing" && F(bo, {}),
-      e.kind === "material" && F(fo, {}),
+      (e.kind === "lamp" || e.kind === "group") && F(za, {}),
+      e.kind === "thing" && F(go, {}),
+      e.kind === "material" && F(bo, {}),
       e.kind === "meter" && F(Va, {}),
       e.kind === "grid" && F(Aa, {})
     ] })
-  ] }) : F(Di, {});
+  ] }) : F(Ni, {});
 }
 
 // src/later/legend.tsx
-import { asked as Wi, candles as Gi, display as Ki, Field as Bi, show as Ui, three as _i, useRef as ji } from "./desk.js";
+import { asked as Di, candles as Wi, display as Gi, Field as Ki, show as Bi, three as Ui, useRef as _i } from "./desk.js";
 import { jsx as X, jsxs as At } from "./desk.js";
 var Tn = [1, 2, 5];
-function zi(e, t, n) {
+function ji(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (Tn.find((i) => i * r >= o) ?? 10);
-    for (let i = Math.ceil(e / l) * l; i <= t * 1.0001; i += l) a.push(i);
+    let o = (t - e) / 5, l = 10 ** Math.floor(Math.log10(o)), r = l * (Tn.find((i) => i * l >= o) ?? 10);
+    for (let i = Math.ceil(e / r) * r; i <= t * 1.0001; i += r) a.push(i);
     return a;
   }
   for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of Tn) {
-      let l = r * 10 ** o;
-      l >= e * 0.999 && l <= t * 1.001 && a.push(l);
+    for (let l of Tn) {
+      let r = l * 10 ** o;
+      r >= e * 0.999 && r <= t * 1.001 && a.push(r);
     }
   return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
 }
-function Xi(e, t) {
+function zi(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
 var ie = (e, t) => {
-  let n = Wi({ ...e, ...t });
-  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Ui({ false_color: n });
+  let n = Di({ ...e, ...t });
+  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Bi({ false_color: n });
 };
-function ko(e, t) {
+function yo(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
   return Tn[a] * 10 ** ((n - a) / 3);
 }
-function Qi() {
-  let e = Ki.value.false_color, t = ji(null);
+function Xi() {
+  let e = Gi.value.false_color, t = _i(null);
   if (!e) return null;
-  let n = Gi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? zi(e.low, e.high, e.scale).map((p) => [p, Xi(p, e)]), u = (p) => ({
+  let n = Wi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", l = n ? a ? 1 / 10.7639 : 0.2919 : 1, r = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? ji(e.low, e.high, e.scale).map((p) => [p, zi(p, e)]), u = (p) => ({
     onPointerDown: (c) => {
       c.currentTarget.setPointerCapture(c.pointerId), t.current = { y: c.clientY, end: p, from: e[p] };
     },
     onPointerMove: (c) => {
       let g = t.current;
-      g?.end === p && ie(e, { [p]: ko(g.from, Math.round((g.y - c.clientY) / 14)) });
+      g?.end === p && ie(e, { [p]: yo(g.from, Math.round((g.y - c.clientY) / 14)) });
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
     onKeyDown: (c) => {
       let g = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[c.key];
-      g && (c.preventDefault(), c.stopPropagation(), ie(e, { [p]: ko(e[p], g) }));
+      g && (c.preventDefault(), c.stopPropagation(), ie(e, { [p]: yo(e[p], g) }));
     }
   }), s = ({ end: p }) => At("div", { class: "end", children: [
     X(
@@ -1550,17 +1551,17 @@ function Qi() {
         "aria-valuenow": e[p],
         "aria-valuemin": 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${_i(e[p] * r)} ${o}`,
+        "aria-valuetext": `${Ui(e[p] * l)} ${o}`,
         ...u(p)
       }
     ),
     X(
-      Bi,
+      Ki,
       {
         label: p === "low" ? "Lower end" : "Upper end",
         quantity: "number",
-        value: Number((e[p] * r).toPrecision(3)),
-        set: (c) => ie(e, { [p]: c(e[p] * r) / r })
+        value: Number((e[p] * l).toPrecision(3)),
+        set: (c) => ie(e, { [p]: c(e[p] * l) / l })
       }
     )
   ] });
@@ -1578,7 +1579,7 @@ function Qi() {
       X("button", { "aria-pressed": e.lines, onClick: () => ie(e, { lines: !e.lines }), children: "lines" })
     ] }),
     X(s, { end: "high" }),
-    X("div", { class: "scale", style: { background: l }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
+    X("div", { class: "scale", style: { background: r }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * l).toPrecision(2))) }, p)) }),
     X(s, { end: "low" }),
     At("footer", { children: [
       X("button", { onClick: () => ie(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
@@ -1599,48 +1600,48 @@ function Qi() {
 // src/later/sheets.tsx
 import {
   allActions as An,
-  act as To,
-  ask as rs,
-  command as is,
-  copyText as ss,
-  digits as us,
-  go as cs,
-  hear as ps,
-  lamps as ms,
+  act as Po,
+  ask as ls,
+  command as rs,
+  copyText as is,
+  digits as ss,
+  go as us,
+  hear as cs,
+  lamps as ps,
   say as Rn,
-  select as ds,
+  select as ms,
   send as Rt,
   sheet as et,
-  shown as hs,
+  shown as ds,
   signal as tt,
   useEffect as In,
-  useLayoutEffect as gs,
+  useLayoutEffect as hs,
   useRef as Ft,
-  walkNames as bs,
-  whyNotTo as fs
+  walkNames as gs,
+  whyNotTo as bs
 } from "./desk.js";
 
 // src/later/csv.ts
-import { add as wo, grids as Yi, maintenance as Zi, meters as Ji, scale as xo, scene as Mo } from "./desk.js";
-var es = (e) => {
+import { add as ko, grids as Qi, maintenance as Yi, meters as Zi, scale as wo, scene as xo } from "./desk.js";
+var Ji = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function ts() {
-  let e = Zi.peek(), t = [["scene", Mo.peek()?.name ?? ""], ["maintenance factor", e], []];
+function es() {
+  let e = Yi.peek(), t = [["scene", xo.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of Ji.all())
+  for (let [, n] of Zi.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of Yi.all()) {
+  for (let [, n] of Qi.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
-    for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
-    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = wo(n.corner, wo(xo(n.u, (l + 0.5) / n.columns), xo(n.v, (i + 0.5) / n.rows)));
+    for (let [o, l] of Object.entries(a)) t.push([o, l == null ? null : l * e]);
+    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, l) => {
+      let [r, i] = [l % n.columns, Math.floor(l / n.columns)], u = ko(n.corner, ko(wo(n.u, (r + 0.5) / n.columns), wo(n.v, (i + 0.5) / n.rows)));
       t.push([...u.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(es).join(",")).join(`\r
+  return t.map((n) => n.map(Ji).join(",")).join(`\r
 `) + `\r
 `;
 }
@@ -1648,43 +1649,43 @@ function En(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function So() {
-  let e = URL.createObjectURL(new Blob([ts()], { type: "text/csv" }));
-  En(`${Mo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function Mo() {
+  let e = URL.createObjectURL(new Blob([es()], { type: "text/csv" }));
+  En(`${xo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Lo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], It = new Uint8Array(512), Vn = new Uint8Array(256);
+var $o = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], It = new Uint8Array(512), Vn = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
   It[e] = It[e + 255] = t, Vn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var Co = (e, t) => e && t ? It[Vn[e] + Vn[t]] : 0;
-function ns(e, t) {
+var So = (e, t) => e && t ? It[Vn[e] + Vn[t]] : 0;
+function ts(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
-    let r = new Array(n.length + 1).fill(0);
-    n.forEach((l, i) => {
-      r[i] ^= l, r[i + 1] ^= Co(l, It[o]);
-    }), n = r;
+    let l = new Array(n.length + 1).fill(0);
+    n.forEach((r, i) => {
+      l[i] ^= r, l[i + 1] ^= So(r, It[o]);
+    }), n = l;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let o = 0; o < e.length; o++) {
-    let r = a[o];
-    r && n.forEach((l, i) => a[o + i] ^= Co(l, r));
+    let l = a[o];
+    l && n.forEach((r, i) => a[o + i] ^= So(r, l));
   }
   return a.slice(e.length);
 }
-function as(e, t) {
-  let [n, a, o] = Lo[t - 1], r = [], l = (g, m) => {
-    for (let v = m - 1; v >= 0; v--) r.push(g >> v & 1);
+function ns(e, t) {
+  let [n, a, o] = $o[t - 1], l = [], r = (g, m) => {
+    for (let v = m - 1; v >= 0; v--) l.push(g >> v & 1);
   };
-  for (l(4, 4), l(e.length, 8), e.forEach((g) => l(g, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
+  for (r(4, 4), r(e.length, 8), e.forEach((g) => r(g, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
   let i = [];
-  for (let g = 0; g < r.length; g += 8) i.push(parseInt(r.slice(g, g + 8).join(""), 2));
+  for (let g = 0; g < l.length; g += 8) i.push(parseInt(l.slice(g, g + 8).join(""), 2));
   for (let g = 236; i.length < n; g ^= 253) i.push(g);
-  let u = n / o, s = Array.from({ length: o }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => ns(g, a)), c = (g) => g[0].flatMap((m, v) => g.map((y) => y[v]));
+  let u = n / o, s = Array.from({ length: o }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => ts(g, a)), c = (g) => g[0].flatMap((m, v) => g.map((y) => y[v]));
   return [...c(s), ...c(p)];
 }
-var os = [
+var as = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1694,80 +1695,80 @@ var os = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function ls(e) {
+function os(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function $o(e) {
+function Co(e) {
   let t = e.length, n = 0, a = 0;
   for (let o of [!1, !0])
-    for (let r = 0; r < t; r++) {
-      let l = Array.from({ length: t }, (s, p) => o ? e[p][r] : e[r][p]), i = 1;
+    for (let l = 0; l < t; l++) {
+      let r = Array.from({ length: t }, (s, p) => o ? e[p][l] : e[l][p]), i = 1;
       for (let s = 1; s <= t; s++)
-        s < t && l[s] === l[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
-      let u = l.map(Number).join("");
+        s < t && r[s] === r[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
+      let u = r.map(Number).join("");
       for (let s = 0; s + 11 <= t; s++) {
         let p = u.slice(s, s + 11);
         (p === "10111010000" || p === "00001011101") && (n += 40);
       }
     }
   for (let o = 0; o < t; o++)
-    for (let r = 0; r < t; r++)
-      e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
+    for (let l = 0; l < t; l++)
+      e[o][l] && a++, l && o && e[o][l] === e[o - 1][l] && e[o][l] === e[o][l - 1] && e[o][l] === e[o - 1][l - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function Po(e) {
-  let t = [...new TextEncoder().encode(e)], n = Lo.findIndex(([m]) => t.length + 2 <= m) + 1;
+function Lo(e) {
+  let t = [...new TextEncoder().encode(e)], n = $o.findIndex(([m]) => t.length + 2 <= m) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (m, v, y) => {
-    m < 0 || v < 0 || m >= a || v >= a || (o[v][m] = y, r[v][m] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = (m, v, y) => {
+    m < 0 || v < 0 || m >= a || v >= a || (o[v][m] = y, l[v][m] = !0);
   };
   for (let m = 0; m < a; m++)
-    l(m, 6, m % 2 === 0), l(6, m, m % 2 === 0);
+    r(m, 6, m % 2 === 0), r(6, m, m % 2 === 0);
   for (let [m, v] of [[3, 3], [a - 4, 3], [3, a - 4]])
     for (let y = -4; y <= 4; y++)
       for (let V = -4; V <= 4; V++) {
         let B = Math.max(Math.abs(V), Math.abs(y));
-        l(m + V, v + y, B !== 2 && B !== 4);
+        r(m + V, v + y, B !== 2 && B !== 4);
       }
   if (n > 1) {
     let m = a - 7;
-    for (let v = -2; v <= 2; v++) for (let y = -2; y <= 2; y++) l(m + y, m + v, Math.max(Math.abs(y), Math.abs(v)) !== 1);
+    for (let v = -2; v <= 2; v++) for (let y = -2; y <= 2; y++) r(m + y, m + v, Math.max(Math.abs(y), Math.abs(v)) !== 1);
   }
   let i = (m) => {
-    let v = ls(m);
+    let v = os(m);
     for (let y = 0; y < 15; y++) {
       let V = (v >> y & 1) === 1, B = y < 6 ? y : y < 8 ? y + 1 : a - 15 + y;
-      l(8, B, V), l(y < 8 ? a - 1 - y : y < 9 ? 7 : 14 - y, 8, V);
+      r(8, B, V), r(y < 8 ? a - 1 - y : y < 9 ? 7 : 14 - y, 8, V);
     }
-    l(8, a - 8, !0);
+    r(8, a - 8, !0);
   };
   i(0);
-  let u = as(t, n), s = 0;
+  let u = ns(t, n), s = 0;
   for (let m = a - 1; m > 0; m -= 2) {
     m === 6 && (m = 5);
     for (let v = 0; v < a; v++)
       for (let y of [m, m - 1]) {
         let B = (m + 1 & 2) === 0 ? a - 1 - v : v;
-        r[B][y] || (o[B][y] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+        l[B][y] || (o[B][y] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
       }
   }
-  let p = (m) => (i(m), o.map((v, y) => v.map((V, B) => V !== (!r[y][B] && os[m](B, y))))), c = p(0), g = $o(c);
+  let p = (m) => (i(m), o.map((v, y) => v.map((V, B) => V !== (!l[y][B] && as[m](B, y))))), c = p(0), g = Co(c);
   for (let m = 1; m < 8; m++) {
-    let v = p(m), y = $o(v);
+    let v = p(m), y = Co(v);
     y < g && ([c, g] = [v, y]);
   }
   return c;
 }
 
 // src/later/sheets.tsx
-import { Fragment as Ls, jsx as h, jsxs as L } from "./desk.js";
+import { Fragment as $s, jsx as h, jsxs as L } from "./desk.js";
 function nt({ title: e, wide: t, children: n }) {
   let a = Ft(null);
-  gs(() => {
-    let r = a.current, l = document.activeElement;
-    return r.open || r.showModal(), () => l?.focus();
+  hs(() => {
+    let l = a.current, r = document.activeElement;
+    return l.open || l.showModal(), () => r?.focus();
   }, []);
   let o = () => et.value = null;
   return h(
@@ -1777,7 +1778,7 @@ function nt({ title: e, wide: t, children: n }) {
       class: t ? "sheet wide-sheet" : "sheet",
       "aria-label": e,
       onClose: o,
-      onClick: (r) => r.target === a.current && o(),
+      onClick: (l) => l.target === a.current && o(),
       children: L("div", { class: "sheet-body", children: [
         L("header", { children: [
           h("h2", { children: e }),
@@ -1789,7 +1790,7 @@ function nt({ title: e, wide: t, children: n }) {
     }
   );
 }
-var vs = [
+var fs = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1803,7 +1804,7 @@ var vs = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function ys() {
+function vs() {
   let e = [...new Set(An().map((t) => t.group))];
   return h(nt, { title: "All keys", wide: !0, children: L("div", { class: "help", children: [
     L("table", { children: [
@@ -1814,17 +1815,17 @@ function ys() {
         h("th", { scope: "col", children: "Keys, in the view" }),
         h("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      h("tbody", { children: vs.map(([t, n, a, o]) => L("tr", { children: [
+      h("tbody", { children: fs.map(([t, n, a, o]) => L("tr", { children: [
         h("th", { scope: "row", children: t }),
         h("td", { children: n }),
-        h("td", { children: a.replace("walking keys", bs.value) }),
+        h("td", { children: a.replace("walking keys", gs.value) }),
         h("td", { children: o })
       ] }, t)) })
     ] }),
     L("div", { class: "columns", children: [
       e.map((t) => L("section", { children: [
         h("h3", { children: t }),
-        h("dl", { children: An().filter((n) => n.group === t && n.keys).map((n) => L(Ls, { children: [
+        h("dl", { children: An().filter((n) => n.group === t && n.keys).map((n) => L($s, { children: [
           h("dt", { children: n.label }),
           h("dd", { children: h("kbd", { children: n.keys }) })
         ] })) })
@@ -1846,19 +1847,19 @@ function ys() {
   ] }) });
 }
 var qt = tt(""), Je = tt(0);
-function ks() {
-  let e = qt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = An().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: fs(a.id), run: () => To(a.id) }));
+function ys() {
+  let e = qt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = An().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: bs(a.id), run: () => Po(a.id) }));
   for (let { name: a, camera: o } of ht())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => cs(o, a) });
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => us(o, a) });
   if (e.length)
-    for (let [a, o] of ms.all()) {
+    for (let [a, o] of ps.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => ds("lamp", a) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => ms("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function ws() {
-  let e = ks(), t = Math.min(Je.value, e.length - 1);
+function ks() {
+  let e = ys(), t = Math.min(Je.value, e.length - 1);
   In(() => {
     qt.value = "", Je.value = 0;
   }, []), In(() => {
@@ -1913,34 +1914,34 @@ function ws() {
     ] })
   ] });
 }
-var Eo = tt([]);
-ps("links", (e) => Eo.value = e.links);
-function xs({ text: e }) {
-  let t = Po(e);
+var To = tt([]);
+cs("links", (e) => To.value = e.links);
+function ws({ text: e }) {
+  let t = Lo(e);
   if (!t) return null;
-  let n = t.length + 8, a = t.map((o, r) => o.map((l, i) => l ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
+  let n = t.length + 8, a = t.map((o, l) => o.map((r, i) => r ? `M${i + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
   return L("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
     h("rect", { width: n, height: n, fill: "#fff" }),
     h("path", { d: a, fill: "#000" })
   ] });
 }
-function Ms() {
+function xs() {
   let e = tt(null), t = Ft(e).current;
   return In(() => {
     Rt({ do: "links", what: "list" });
   }, []), L(nt, { title: "Share by link", children: [
     h("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    h("ul", { class: "links", children: Eo.value.map((n) => L("li", { children: [
+    h("ul", { class: "links", children: To.value.map((n) => L("li", { children: [
       h("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
       h("code", { children: n.address }),
       L("span", { class: "buttons", children: [
         h("button", { onClick: () => {
-          ss(n.address);
+          is(n.address);
         }, children: "Copy" }),
         h("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
         h("button", { onClick: () => Rt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && h(xs, { text: n.address })
+      t.value === n.id && h(ws, { text: n.address })
     ] }, n.id)) }),
     L("footer", { children: [
       h("button", { onClick: () => Rt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
@@ -1948,11 +1949,11 @@ function Ms() {
     ] })
   ] });
 }
-function Ss() {
+function Ms() {
   let e = Ft(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    is({ do: "save", name: n }), et.value = null, Rn(`Saving the version “${n}”.`);
+    rs({ do: "save", name: n }), et.value = null, Rn(`Saving the version “${n}”.`);
   };
   return L(nt, { title: "Save a version", children: [
     h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
@@ -1964,14 +1965,14 @@ function Ss() {
   ] });
 }
 var se = tt(null);
-function Cs() {
-  let e = hs.value?.head, t = Ft(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+function Ss() {
+  let e = ds.value?.head, t = Ft(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
     se.value = 0;
-    let [o, r] = [Number(n("width")), Number(n("height"))];
-    rs("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.url ? (se.value = null, En(l.name, l.url), et.value = null) : se.value = l.progress ?? 0;
-    }, (l) => {
-      se.value = null, Rn(l, "warn");
+    let [o, l] = [Number(n("width")), Number(n("height"))];
+    ls("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
+      r.url ? (se.value = null, En(r.name, r.url), et.value = null) : se.value = r.progress ?? 0;
+    }, (r) => {
+      se.value = null, Rn(r, "warn");
     });
   };
   return L(nt, { title: "Save the picture", children: [
@@ -1998,23 +1999,23 @@ function Cs() {
     ] }),
     se.value !== null && h("progress", { max: 1, value: se.value, "aria-label": "Rendering" }),
     L("footer", { children: [
-      h("button", { onClick: () => To("command"), children: "Copy the command" }),
-      h("button", { disabled: se.value !== null, onClick: a, children: se.value === null ? "Render and save" : `${us(se.value * 100)} %` })
+      h("button", { onClick: () => Po("command"), children: "Copy the command" }),
+      h("button", { disabled: se.value !== null, onClick: a, children: se.value === null ? "Render and save" : `${ss(se.value * 100)} %` })
     ] })
   ] });
 }
-function $s() {
+function Cs() {
   switch (et.value) {
     case "help":
-      return h(ys, {});
+      return h(vs, {});
     case "palette":
-      return h(ws, {});
+      return h(ks, {});
     case "share":
-      return h(Ms, {});
+      return h(xs, {});
     case "save":
-      return h(Ss, {});
+      return h(Ms, {});
     case "picture":
-      return h(Cs, {});
+      return h(Ss, {});
     default:
       return null;
   }
@@ -2022,27 +2023,27 @@ function $s() {
 
 // src/later/sheetrow.tsx
 import {
-  act as Ps,
-  colorText as Vo,
-  cost as Ts,
-  css as Es,
-  Field as Vs,
-  groups as As,
+  act as Ls,
+  colorText as Eo,
+  cost as Ps,
+  css as Ts,
+  Field as Es,
+  groups as Vs,
   hovered as Ht,
-  Icon as Is,
-  lamps as Ao,
-  output as Io,
-  penless as Rs,
-  pickRow as qs,
-  select as Fs,
-  selection as Ro,
-  switchOn as Hs,
-  three as Ns,
+  Icon as As,
+  lamps as Is,
+  lumensOf as Rs,
+  penless as qs,
+  pickRow as Fs,
+  select as Hs,
+  selection as Vo,
+  switchOn as Ns,
+  three as Os,
   typeGroupLevel as Ds,
-  typeLevel as Os
+  typeLevel as Ws
 } from "./desk.js";
 import { jsx as Y, jsxs as qn } from "./desk.js";
-function Ws() {
+function Gs() {
   return qn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     Y("span", {}),
     Y("span", { children: "Name" }),
@@ -2051,17 +2052,14 @@ function Ws() {
     Y("span", { children: "White" })
   ] });
 }
-function Gs({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? Ao.get(e.id) : void 0, o = e.kind === "group" ? As.get(e.id) : void 0, r = a ?? o;
-  if (!r) return null;
-  let l = Ro.value?.kind === e.kind && Ro.value.ids.includes(e.id), i = a ? a.flux * Io(a) : (o?.lamps ?? []).reduce((p, c) => {
-    let g = Ao.get(c);
-    return p + (g ? g.flux * Io(g) : 0);
-  }, 0), u = Rs.value, s = Ht.value?.kind === e.kind && Ht.value.id === e.id;
+function Ks({ row: e, index: t, count: n }) {
+  let a = e.kind === "lamp" ? Is.get(e.id) : void 0, o = e.kind === "group" ? Vs.get(e.id) : void 0, l = a ?? o;
+  if (!l) return null;
+  let r = Vo.value?.kind === e.kind && Vo.value.ids.includes(e.id), i = Rs(o?.lamps ?? [e.id]), u = qs.value, s = Ht.value?.kind === e.kind && Ht.value.id === e.id;
   return qn(
     "div",
     {
-      class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${s ? "under" : ""}`,
+      class: `sheet-row depth-${e.depth} ${e.kind} ${r ? "selected" : ""} ${l.on ? "" : "off"} ${s ? "under" : ""}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
@@ -2069,25 +2067,25 @@ function Gs({ row: e, index: t, count: n }) {
       onPointerEnter: () => Ht.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => Ht.value = null,
       children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Hs(e, !r.on), children: Y(Is, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ts(a) : void 0, onClick: (p) => qs(p, e.kind, e.id), onDblClick: () => Ps("frame"), children: Y("span", { children: r.name }) }),
+        Y("button", { class: "icon power", "aria-pressed": l.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${l.name} on`, onClick: () => Ns(e, !l.on), children: Y(As, { name: "power" }) }),
+        Y("button", { class: "row-name", "aria-pressed": r, title: a ? Ps(a) : void 0, onClick: (p) => Fs(p, e.kind, e.id), onDblClick: () => Ls("frame"), children: Y("span", { children: l.name }) }),
         Y(
-          Vs,
+          Es,
           {
-            label: `${r.name} level`,
+            label: `${l.name} level`,
             quantity: "level",
-            value: r.level,
+            value: l.level,
             flux: a?.flux,
             step: 0.01,
             disabled: u !== null,
             why: u,
-            set: (p) => a ? Os([e.id], p) : Ds(e.id, p)
+            set: (p) => a ? Ws([e.id], p) : Ds(e.id, p)
           }
         ),
-        Y("span", { class: "lumens", children: Ns(i) }),
-        a ? qn("button", { class: "tint", "aria-label": `${r.name} colour: ${Vo(a)}`, onClick: () => Fs("lamp", e.id), children: [
-          Y("i", { class: "swatch", style: { background: Es(a.swatch) } }),
-          Vo(a)
+        Y("span", { class: "lumens", children: Os(i) }),
+        a ? qn("button", { class: "tint", "aria-label": `${l.name} colour: ${Eo(a)}`, onClick: () => Hs("lamp", e.id), children: [
+          Y("i", { class: "swatch", style: { background: Ts(a.swatch) } }),
+          Eo(a)
         ] }) : Y("span", {})
       ]
     }
@@ -2097,86 +2095,86 @@ function Gs({ row: e, index: t, count: n }) {
 // src/later/strip.tsx
 import {
   act as Fn,
-  command as Oo,
+  command as Ho,
   digits as Hn,
   fade as Nt,
-  Field as Ks,
-  grids as qo,
+  Field as Bs,
+  grids as Ao,
   Icon as He,
-  looks as Fo,
+  looks as Io,
   luxText as be,
-  maintenance as Bs,
-  meters as Ho,
-  select as No,
-  selection as Dt,
-  signal as Us,
+  maintenance as Us,
+  meters as Ro,
+  select as qo,
+  selection as Ot,
+  signal as _s,
   status as Nn,
-  storeLook as _s
+  storeLook as js
 } from "./desk.js";
-import { Fragment as Ys, jsx as x, jsxs as H } from "./desk.js";
-var Dn = Us("looks");
-function js() {
+import { Fragment as Zs, jsx as x, jsxs as H } from "./desk.js";
+var On = _s("looks");
+function zs() {
   return H("section", { class: "looks", "aria-label": "Looks", children: [
     H("header", { children: [
       x("h2", { children: "Looks" }),
-      x("button", { class: "tab", onClick: () => Dn.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: _s, children: x(He, { name: "plus" }) }),
+      x("button", { class: "tab", onClick: () => On.value = "meters", children: "Meters" }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: js, children: x(He, { name: "plus" }) }),
       x("span", { class: "gap" }),
       H("label", { class: "tint", children: [
         "Fade",
-        x(Ks, { label: "Cross-fade", quantity: "seconds", value: Nt.value, step: 0.5, set: (e) => Nt.value = Math.max(0, e(Nt.value)) })
+        x(Bs, { label: "Cross-fade", quantity: "seconds", value: Nt.value, step: 0.5, set: (e) => Nt.value = Math.max(0, e(Nt.value)) })
       ] })
     ] }),
     H("ul", { children: [
-      Fo.all().map(([e, t], n) => H("li", { class: "look", children: [
-        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Oo({ do: "look", id: e, what: "recall", seconds: Nt.peek() }), children: [
+      Io.all().map(([e, t], n) => H("li", { class: "look", children: [
+        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Ho({ do: "look", id: e, what: "recall", seconds: Nt.peek() }), children: [
           t.picture && x("img", { src: t.picture, alt: "" }),
           x("span", { children: t.name })
         ] }),
-        x(zs, { id: e, name: t.name })
+        x(Xs, { id: e, name: t.name })
       ] }, e)),
-      !Fo.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !Io.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function zs({ id: e, name: t }) {
+function Xs({ id: e, name: t }) {
   let n = `look-${e}`, a = (i) => {
     let u = i.getBoundingClientRect(), s = document.getElementById(n);
     s?.style.setProperty("left", `${Math.min(u.left, innerWidth - 296)}px`), s?.style.setProperty("bottom", `${innerHeight - u.top + 4}px`), s?.style.setProperty("top", "auto");
-  }, o = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), l = (i, u = {}) => {
-    r(), Oo({ do: "look", id: e, what: i, ...u });
+  }, o = { popovertarget: n }, l = () => document.getElementById(n)?.hidePopover(), r = (i, u = {}) => {
+    l(), Ho({ do: "look", id: e, what: i, ...u });
   };
-  return H(Ys, { children: [
+  return H(Zs, { children: [
     x("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: x(He, { name: "more" }) }),
     H("div", { id: n, popover: "auto", class: "menu", children: [
       H("label", { class: "line", children: [
         x("span", { children: "Name" }),
-        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => l("rename", { name: i.currentTarget.value }) }) })
+        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => r("rename", { name: i.currentTarget.value }) }) })
       ] }),
-      x("button", { class: "item", onClick: () => l("update"), children: x("span", { children: "Update to what is set now" }) }),
-      x("button", { class: "item", onClick: () => l("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
-      x("button", { class: "item", onClick: () => l("remove"), children: x("span", { children: "Remove" }) })
+      x("button", { class: "item", onClick: () => r("update"), children: x("span", { children: "Update to what is set now" }) }),
+      x("button", { class: "item", onClick: () => r("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
+      x("button", { class: "item", onClick: () => r("remove"), children: x("span", { children: "Remove" }) })
     ] })
   ] });
 }
-var Do = () => Nn.value?.stage === "moving" || Nn.value?.stage === "refining" || Nn.value?.stage === "loading";
-function Xs() {
-  let e = Bs.value;
+var Fo = () => Nn.value?.stage === "moving" || Nn.value?.stage === "refining" || Nn.value?.stage === "loading";
+function Qs() {
+  let e = Us.value;
   return H("section", { class: "readings", "aria-label": "Meters and grids", children: [
     H("header", { children: [
       x("h2", { children: "Meters" }),
-      x("button", { class: "tab", onClick: () => Dn.value = "looks", children: "Looks" }),
+      x("button", { class: "tab", onClick: () => On.value = "looks", children: "Looks" }),
       x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Fn("meter-tool"), children: x(He, { name: "meter" }) }),
       x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Fn("grid"), children: x(He, { name: "grid" }) }),
       x("button", { onClick: () => Fn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
-      x("button", { onClick: So, title: "Save all figures as CSV", children: "CSV" }),
+      x("button", { onClick: Mo, title: "Save all figures as CSV", children: "CSV" }),
       x("span", { class: "gap" }),
       x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${Hn(e, 2)} maintained` })
     ] }),
     H("ul", { children: [
-      Ho.all().map(([t, n]) => {
-        let a = n.lux, o = !a || a[1] > 0.02 * a[0] || Do();
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "meter" && Dt.value.ids.includes(t), onClick: () => No("meter", t), children: [
+      Ro.all().map(([t, n]) => {
+        let a = n.lux, o = !a || a[1] > 0.02 * a[0] || Fo();
+        return x("li", { children: H("button", { class: "reading", "aria-pressed": Ot.value?.kind === "meter" && Ot.value.ids.includes(t), onClick: () => qo("meter", t), children: [
           H("span", { class: "tint", children: [
             x(He, { name: "meter" }),
             n.name
@@ -2190,16 +2188,16 @@ function Xs() {
           ] })
         ] }) }, `m${t}`);
       }),
-      qo.all().map(([t, n]) => {
+      Ao.all().map(([t, n]) => {
         let a = n.target, o = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "grid" && Dt.value.ids.includes(t), onClick: () => No("grid", t), children: [
+        return x("li", { children: H("button", { class: "reading", "aria-pressed": Ot.value?.kind === "grid" && Ot.value.ids.includes(t), onClick: () => qo("grid", t), children: [
           H("span", { class: "tint", children: [
             x(He, { name: "grid" }),
             n.name,
             " ",
             a && n.mean != null && x("b", { class: o ? "met" : "missed", children: o ? "✓" : "✗" })
           ] }),
-          x("strong", { class: Do() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
+          x("strong", { class: Fo() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
           H("small", { children: [
             "U₀ ",
             n.uniformity == null ? "…" : Hn(n.uniformity, 2),
@@ -2212,70 +2210,70 @@ function Xs() {
           ] })
         ] }) }, `g${t}`);
       }),
-      !Ho.ids.value.length && !qo.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !Ro.ids.value.length && !Ao.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Qs() {
-  return H("div", { class: "strip-parts", "data-tab": Dn.value, children: [
-    x(js, {}),
-    x(Xs, {})
+function Ys() {
+  return H("div", { class: "strip-parts", "data-tab": On.value, children: [
+    x(zs, {}),
+    x(Qs, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  camera as Ko,
-  digits as Bo,
-  display as Zs,
+  camera as Do,
+  digits as Wo,
+  display as Js,
   Field as Wt,
-  go as Uo,
-  houseLights as On,
+  go as Go,
+  houseLights as Dn,
   Item as Me,
-  Range as Js,
+  Range as eu,
   show as Wn,
-  theme as Wo,
-  walking as eu
+  theme as No,
+  walking as tu
 } from "./desk.js";
 import { Fragment as Gt, jsx as S, jsxs as ee } from "./desk.js";
-var Ot = Math.PI / 360;
-function Go(e) {
-  let t = Ko.peek();
-  t && Uo({ ...t, fov: Math.max(3, Math.min(140, e)) });
+var Dt = Math.PI / 360;
+function Oo(e) {
+  let t = Do.peek();
+  t && Go({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function tu() {
-  let e = Ko.value, t = ht();
+function nu() {
+  let e = Do.value, t = ht();
   return ee(Gt, { children: [
     ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => S(Me, { id: n }, n)),
     S("hr", {}),
     ["plan", "ceiling", "north", "east", "south", "west"].map((n) => S(Me, { id: `preset-${n}` }, n)),
     S("hr", {}),
     t.length > 0 && S("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Uo(a, n), children: S("span", { children: n }) }, o)),
+    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Go(a, n), children: S("span", { children: n }) }, o)),
     t.length > 0 && S("hr", {}),
     e && !e.height && ee(Gt, { children: [
       ee("label", { class: "line", children: [
         S("span", { children: "Angle" }),
-        S(Wt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Go(n(e.fov)) })
+        S(Wt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Oo(n(e.fov)) })
       ] }),
       ee("label", { class: "line", children: [
         S("span", { children: "Focal length" }),
-        S(Wt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Ot)) / 10, text: `${Bo(12 / Math.tan(e.fov * Ot), 1)} mm`, step: 1, set: (n) => Go(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Ot)))) / Ot) })
+        S(Wt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Dt)) / 10, text: `${Wo(12 / Math.tan(e.fov * Dt), 1)} mm`, step: 1, set: (n) => Oo(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Dt)))) / Dt) })
       ] }),
       S("hr", {})
     ] }),
-    S(Me, { id: "walking", label: eu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    S(Me, { id: "walking", label: tu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
     S(Me, { id: "from-lamp" }),
     ["default", "blender", "maya", "trackpad"].map((n) => S(Me, { id: `hands-${n}` }, n))
   ] });
 }
-var nu = ["linear", "reinhard", "filmic"];
-function au() {
-  let e = Zs.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+var au = ["linear", "reinhard", "filmic"];
+function ou() {
+  let e = Js.value, t = e.white ?? { kelvin: 6500, tint: 0 };
   return ee(Gt, { children: [
     ee("fieldset", { children: [
       S("legend", { children: "Tone curve" }),
-      S("div", { class: "segments", children: nu.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Wn({ tone: n }), children: n }, n)) })
+      S("div", { class: "segments", children: au.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Wn({ tone: n }), children: n }, n)) })
     ] }),
     ee("fieldset", { children: [
       S("legend", { children: "White balance" }),
@@ -2292,24 +2290,24 @@ function au() {
     ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => S(Me, { id: n }, n))
   ] });
 }
-function ou() {
+function lu() {
   return ee(Gt, { children: [
     ee("label", { class: "line", children: [
       S("span", { children: "House lights" }),
-      S(Js, { label: "House lights", value: On.value, text: `${Bo(On.value * 100)} %`, on: (e) => On.value = Math.max(0.3, e) })
+      S(eu, { label: "House lights", value: Dn.value, text: `${Wo(Dn.value * 100)} %`, on: (e) => Dn.value = Math.max(0.3, e) })
     ] }),
-    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": Wo.value === e, onClick: () => Wo.value = e, children: e }, e)) }),
+    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": No.value === e, onClick: () => No.value = e, children: e }, e)) }),
     S("hr", {}),
     ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => S(Me, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as Kt, cut as lu, digits as _o, edit as jo, go as ru, Icon as at, Range as iu, setCut as su, signal as uu, storeView as cu, viewName as pu, views as mu } from "./desk.js";
+import { act as Kt, cut as ru, digits as Ko, edit as Bo, go as iu, Icon as at, Range as su, setCut as uu, signal as cu, storeView as pu, viewName as mu, views as du } from "./desk.js";
 import { jsx as W, jsxs as Gn } from "./desk.js";
-var Bt = uu(null);
-function du() {
-  let e = mu.all();
+var Bt = cu(null);
+function hu() {
+  let e = du.all();
   return Gn("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
     W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Kt("home"), children: W(at, { name: "home" }) }),
     W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Kt("frame"), children: W(at, { name: "frame" }) }),
@@ -2325,8 +2323,8 @@ function du() {
         maxLength: 60,
         ref: (o) => o?.focus(),
         onBlur: (o) => {
-          let r = o.currentTarget.value.trim();
-          Bt.value = null, r && r !== n.name && jo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+          let l = o.currentTarget.value.trim();
+          Bt.value = null, l && l !== n.name && Bo(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
         onKeyDown: (o) => {
           o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
@@ -2336,12 +2334,12 @@ function du() {
       "button",
       {
         class: "saved-view",
-        "aria-pressed": pu.value === n.name,
+        "aria-pressed": mu.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => ru(n, n.name ?? "view"),
+        onClick: () => iu(n, n.name ?? "view"),
         onDblClick: () => Bt.value = t,
         onKeyDown: (o) => {
-          o.key === "F2" && (Bt.value = t), o.key === "Delete" && (o.stopPropagation(), jo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+          o.key === "F2" && (Bt.value = t), o.key === "Delete" && (o.stopPropagation(), Bo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
           W("small", { children: a + 1 }),
@@ -2351,22 +2349,22 @@ function du() {
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: cu, children: W(at, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: pu, children: W(at, { name: "plus" }) })
   ] });
 }
-function hu() {
-  let e = lu.value;
+function gu() {
+  let e = ru.value;
   if (!e) return null;
-  let t = e.height === null ? `${_o(e.value, 2)} m` : `at ${_o(e.height, 2)} m`;
+  let t = e.height === null ? `${Ko(e.value, 2)} m` : `at ${Ko(e.height, 2)} m`;
   return Gn("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      iu,
+      su,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => su(n * e.most)
+        on: (n) => uu(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2374,43 +2372,43 @@ function hu() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as gu, useRef as bu } from "./desk.js";
-import { jsx as zo } from "./desk.js";
-function fu() {
-  let e = bu(null), t = (n) => {
+import { padWalk as bu, useRef as fu } from "./desk.js";
+import { jsx as Uo } from "./desk.js";
+function vu() {
+  let e = fu(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
-    let r = a.getBoundingClientRect(), l = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), u = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), gu(u, i);
+    let l = a.getBoundingClientRect(), r = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), u = o ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
+    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), bu(u, i);
   };
-  return zo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: zo("span", { ref: e }) });
+  return Uo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Uo("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as Xo,
-  closeWhat as Qo,
-  digits as vu,
-  hovered as Yo,
-  Icon as yu,
+  chosenLamps as _o,
+  closeWhat as jo,
+  digits as yu,
+  hovered as zo,
+  Icon as ku,
   luxText as fe,
-  nameOf as ku,
-  select as wu,
-  useEffect as xu,
-  useRef as Mu,
-  viewSize as Su,
-  what as Cu
+  nameOf as wu,
+  select as xu,
+  useEffect as Mu,
+  useRef as Su,
+  viewSize as Cu,
+  what as $u
 } from "./desk.js";
 import { jsx as K, jsxs as te } from "./desk.js";
-var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], $u = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Lu() {
-  let e = Cu.value, t = Mu(null);
-  if (xu(() => {
+var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Lu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Pu() {
+  let e = $u.value, t = Su(null);
+  if (Mu(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = Su.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), r = o.reduce((c, g) => c + Se(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = Cu.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), l = o.reduce((c, g) => c + Se(g), 0) || 1, r = o.slice(0, 9), i = l - r.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
   return te(
     "div",
     {
@@ -2421,36 +2419,36 @@ function Lu() {
       ref: t,
       style: { left: `${u}px`, top: `${s}px` },
       onKeyDown: (c) => {
-        c.key === "Escape" && (c.stopPropagation(), Qo(), document.getElementById("view")?.focus());
+        c.key === "Escape" && (c.stopPropagation(), jo(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
         te("header", { children: [
           K("strong", { class: e.done ? "" : "unsettled", children: p }),
           K("span", { class: "quiet", children: "what lights this" }),
-          K("button", { class: "icon", "aria-label": "Close", onClick: Qo, children: K(yu, { name: "close" }) })
+          K("button", { class: "icon", "aria-label": "Close", onClick: jo, children: K(ku, { name: "close" }) })
         ] }),
         te("ol", { children: [
-          l.map((c) => K(
+          r.map((c) => K(
             "li",
             {
-              onPointerEnter: () => Yo.value = { kind: "lamp", id: c.id },
-              onPointerLeave: () => Yo.value = null,
-              children: te("button", { class: "row", onClick: () => wu("lamp", c.id), children: [
-                K("span", { class: "name", children: ku("lamp", c.id) }),
+              onPointerEnter: () => zo.value = { kind: "lamp", id: c.id },
+              onPointerLeave: () => zo.value = null,
+              children: te("button", { class: "row", onClick: () => xu("lamp", c.id), children: [
+                K("span", { class: "name", children: wu("lamp", c.id) }),
                 te("span", { class: "figure", children: [
-                  vu(100 * Se(c) / r, Se(c) / r < 0.0995 ? 1 : 0),
+                  yu(100 * Se(c) / l, Se(c) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
                 te("span", { class: "figure lux", children: [
                   fe(Se(c)),
                   " ±",
-                  fe($u(c), !1)
+                  fe(Lu(c), !1)
                 ] }),
                 te("span", { class: "bar", "aria-hidden": "true", children: [
-                  K("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
-                  K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / r}%` } }),
-                  K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / r}%` } })
+                  K("i", { class: "direct", style: { width: `${100 * c.direct[0] / l}%` } }),
+                  K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / l}%` } }),
+                  K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / l}%` } })
                 ] }),
                 te("span", { class: "spoken", children: [
                   "direct ",
@@ -2465,9 +2463,9 @@ function Lu() {
             },
             c.id
           )),
-          o.length > l.length && te("li", { class: "quiet", children: [
+          o.length > r.length && te("li", { class: "quiet", children: [
             "and ",
-            o.length - l.length,
+            o.length - r.length,
             " others, ",
             fe(i),
             " together"
@@ -2479,7 +2477,7 @@ function Lu() {
           K("span", { class: "key indirect", children: "indirect" }),
           K("span", { class: "key caustic", children: "caustic" }),
           K("span", { class: "gap" }),
-          Xo.value.length > 0 && K("button", { onClick: () => Be(Xo.peek(), e.hit.point), children: "Aim here" }),
+          _o.value.length > 0 && K("button", { onClick: () => Be(_o.peek(), e.hit.point), children: "Aim here" }),
           K("button", { onClick: () => Ue(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
@@ -2487,19 +2485,19 @@ function Lu() {
   );
 }
 export {
-  Zl as Compare,
-  hu as CutBar,
-  Rr as Gizmo,
+  Xl as Compare,
+  gu as CutBar,
+  Vr as Gizmo,
   Oi as Inspector,
-  Qi as Legend,
-  ou as PageItems,
-  au as SeeingItems,
-  Ws as SheetHead,
-  Gs as SheetRow,
-  $s as Sheets,
-  Qs as Strip,
-  tu as ViewItems,
-  du as ViewStrip,
-  fu as WalkPad,
-  Lu as What
+  Xi as Legend,
+  lu as PageItems,
+  ou as SeeingItems,
+  Gs as SheetHead,
+  Ks as SheetRow,
+  Cs as Sheets,
+  Ys as Strip,
+  nu as ViewItems,
+  hu as ViewStrip,
+  vu as WalkPad,
+  Pu as What
 };

@@ -34,8 +34,8 @@ export {
     chosenLamps, deselect, handles, hovered, nameOf, select, selection, spot, stepSelection, titleOf, tool, type Kind,
 } from './select';
 export {
-    display, editor, filterOf, grids, groups, history, lamps, layers, looks, materials, meters, output, scene, status,
-    things, views, type Slice,
+    display, editor, filterOf, grids, groups, history, lamps, layers, looks, lumensOf, materials, meters, output,
+    scene, status, things, views, type Slice,
 } from './store';
 export { css, fromHex, hex, mired } from './swatch';
 export { adding, free, onTool, positionOf, startTool } from './tools';

@@ -4,7 +4,7 @@ import { useRef } from 'preact/hooks';
 import { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLevel, type Strip } from './levels';
 import { fold, folded, pickRow, type Row } from './lamps';
 import { chosenLamps, hovered, selection } from './select';
-import { groups, lamps, output, solo } from './store';
+import { groups, lamps, lumensOf, solo } from './store';
 import type { Lamp } from './types';
 import { css } from './swatch';
 import { digits, format, percent, three } from './units';
@@ -33,7 +33,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
     if (!entry) return null;
     const members = group?.lamps ?? [row.id];
     const flux = lamp ? lamp.flux : members.reduce((sum, id) => sum + (lamps.get(id)?.flux ?? 0) * (lamps.get(id)?.level ?? 0), 0);
-    const lumens = lamp ? lamp.flux * output(lamp) : members.reduce((sum, id) => sum + (lamps.get(id)?.flux ?? 0) * output(lamps.get(id) as Lamp), 0);
+    const lumens = lumensOf(members);
     const selected = selection.value?.kind === row.kind && selection.value.ids.includes(row.id);
     const alone = members.length > 0 && members.every((id) => solo.value.includes(id));
     const muted = solo.value.length > 0 && !members.some((id) => solo.value.includes(id));
