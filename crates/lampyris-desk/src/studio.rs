@@ -127,13 +127,16 @@ enum Turn {
 /// Opens a scene and renders it until the end; if its file changes meanwhile, with the edits made here.
 pub(crate) fn run(
     studio: &Studio,
-    opened: Opened,
+    mut opened: Opened,
     options: &Options,
     screen: &Screen,
     inbox: &Inbox,
 ) -> Result<()> {
+    // Who saves needs no scene, and it may be large.
+    let scene = std::mem::take(&mut opened.document.scene);
     let saver = Saver::start(opened.document.clone(), inbox.clone())?;
     let document = opened.document.document.clone();
+    opened.document.scene = scene;
     let mut stage = Stage::open(opened, document, saver, options, inbox)?;
     while let Some((mut opened, desk)) = stage.work(studio, screen, inbox)? {
         let document = stage.document(desk)?;
