@@ -342,6 +342,7 @@ impl Desk {
 
     fn join(&mut self, client: u64, role: Role) {
         self.clients.insert(client, role);
+        self.studio.watched(true);
         if role == Role::Edit && self.editor.is_none() {
             self.pass_pen(Some(client));
         }
@@ -356,6 +357,7 @@ impl Desk {
 
     fn leave(&mut self, client: u64) {
         self.clients.remove(&client);
+        self.studio.watched(!self.clients.is_empty());
         if self.editor == Some(client) {
             self.end_gesture();
             let next = self.clients.iter().find(|(_, role)| **role == Role::Edit).map(|(id, _)| *id);
