@@ -32,8 +32,9 @@ use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
-/// How long edits wait to be saved.
+/// How long edits wait to be saved, and to be saved again where that failed.
 const SOON: Duration = Duration::from_millis(400);
+const AGAIN: Duration = Duration::from_secs(3);
 
 /// What happens at a desk.
 pub(crate) enum Event {
@@ -149,7 +150,7 @@ pub(crate) struct Desk {
     /// Of each layer, what it gives each point that is measured [lx].
     by_layer: Vec<Vec<f32>>,
     saved: Value,
-    /// Since when there is something to save.
+    /// By when there is something to save.
     unsaved: Option<Instant>,
     cameras: u32,
     history: History,
@@ -267,7 +268,7 @@ impl Desk {
                     let before = std::mem::replace(&mut self.saved, saved);
                     if self.saved["state"] == "failed" {
                         // Until there is room again, or another folder.
-                        self.unsaved.get_or_insert_with(Instant::now);
+                        self.save_in(AGAIN);
                     } else if self.unsaved.is_some() {
                         self.saved["state"] = "waiting".into();
                     }
@@ -324,12 +325,23 @@ impl Desk {
 
     /// What happens next; nothing for a while, where edits wait to be saved.
     fn next(&self, events: &Receiver<Event>) -> Option<Event> {
-        let Some(since) = self.unsaved else { return events.recv().ok() };
-        match events.recv_timeout(SOON.saturating_sub(since.elapsed())) {
+        let Some(due) = self.unsaved else { return events.recv().ok() };
+        let left = due.saturating_duration_since(Instant::now());
+        // However much happens, saving has its turn.
+        if left.is_zero() {
+            return Some(Event::Idle);
+        }
+        match events.recv_timeout(left) {
             Ok(event) => Some(event),
             Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
             Err(RecvTimeoutError::Disconnected) => None,
         }
+    }
+
+    /// Edits are to be written down before so long.
+    fn save_in(&mut self, wait: Duration) {
+        let due = Instant::now() + wait;
+        self.unsaved = Some(self.unsaved.map_or(due, |own| own.min(due)));
     }
 
     /// Has the edits written down, if there are some, or as a version of a name.
@@ -434,7 +446,7 @@ impl Desk {
             }
             Do::Set { patch } => {
                 let label = state::label(&self.model, &patch);
-                self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
+                self.in_gesture(seq, &label, |desk| desk.edit(seq, *patch, 0.0))
             }
             Do::End { label } => {
                 if let (Some(gesture), Some(label)) = (&mut self.gesture, label) {
@@ -443,10 +455,7 @@ impl Desk {
                 self.end_gesture();
                 Ok(false)
             }
-            Do::Cancel => match self.gesture.take() {
-                Some(gesture) => self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced),
-                None => Ok(false),
-            },
+            Do::Cancel => self.cancel_gesture(seq),
             Do::Undo | Do::Redo => {
                 self.end_gesture();
                 let undo = matches!(what, Do::Undo);
@@ -477,23 +486,25 @@ impl Desk {
             Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
             Do::Add { lamp } => {
                 let new: NewLamp = serde_json::from_value(*lamp).map_err(|e| e.to_string())?;
-                self.in_gesture("Add a lamp", |desk| {
+                self.in_gesture(seq, "Add a lamp", |desk| {
                     let light = new.light(desk.model.lamps.len(), desk.down())?;
                     desk.add(seq, light, None)
                 })
             }
             Do::Copy { lamps, count, step } => {
-                self.in_gesture("Copy", |desk| desk.copy(seq, &lamps, count, step))
+                self.in_gesture(seq, "Copy", |desk| desk.copy(seq, &lamps, count, step))
             }
             Do::Remove { lamps } => {
                 let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
                 let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
-                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0))
+                self.in_gesture(seq, "Remove", |desk| {
+                    desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0)
+                })
             }
             Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
             Do::Save { name } => {
-                self.unsaved.get_or_insert_with(Instant::now);
+                self.save_in(SOON);
                 self.save(name);
                 Ok(false)
             }

@@ -139,7 +139,11 @@ impl Studio {
 
     /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
     pub(crate) fn save(&self, desk: Value, name: Option<String>) {
-        self.put(false, |work| work.save = Some((desk, name)));
+        self.put(false, |work| {
+            // A version that was asked for and not made yet is one of what is now.
+            let asked = work.save.take().and_then(|(_, name)| name);
+            work.save = Some((desk, name.or(asked)));
+        });
     }
 
     fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {
