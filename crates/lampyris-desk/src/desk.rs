@@ -13,10 +13,11 @@ use crate::legend::{Legend, Quantity};
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
+use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Progress, Studio, What};
+use crate::studio::{Asked, Found, Opened, Progress, Studio, What};
 use crate::wire::{Do, Look, Message, PROTOCOL, Question};
 use lampyris::cpu::Answer;
 use lampyris::eye::Meter;
@@ -77,9 +78,27 @@ pub(crate) enum Event {
         /// Of each layer, what it gives each of them [lx].
         by_layer: Vec<Vec<f32>>,
     },
+    /// The scene's file is another one, and was read.
+    Changed(Box<Opened>),
+    /// It is another one, and cannot be read.
+    Broken {
+        why: String,
+    },
+    /// The edits were made in the scene that was read again, but for some.
+    Reloaded {
+        lost: Vec<String>,
+    },
+    /// A picture to keep was made, of that name, or was not.
+    Made {
+        client: u64,
+        id: u32,
+        done: Result<String, String>,
+    },
     /// Edits were written down, or could not be.
     Saved {
         saved: Value,
+        /// How many times of saving that was the last of.
+        times: u32,
     },
     /// Nothing happened for a while.
     Idle,
@@ -113,6 +132,10 @@ pub(crate) struct Desk {
     door: Arc<Door>,
     studio: Arc<Studio>,
     screen: Arc<Screen>,
+    printer: Arc<Printer>,
+    inbox: Inbox,
+    /// Pictures that wait until all is saved.
+    orders: Vec<Order>,
     file: PathBuf,
     build: Arc<str>,
     model: Model,
@@ -144,6 +167,8 @@ pub(crate) struct Desk {
     ends_alone: bool,
     /// Batches after which a picture is finished.
     enough: u32,
+    /// Documents on their way to the disk.
+    saving: u32,
 }
 
 /// What decides a desk when it begins.
@@ -152,6 +177,8 @@ pub(crate) struct Parts {
     pub(crate) door: Arc<Door>,
     pub(crate) studio: Arc<Studio>,
     pub(crate) screen: Arc<Screen>,
+    pub(crate) printer: Arc<Printer>,
+    pub(crate) inbox: Inbox,
     pub(crate) file: PathBuf,
     pub(crate) build: Arc<str>,
     pub(crate) ends_alone: bool,
@@ -160,12 +187,15 @@ pub(crate) struct Parts {
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, file, build, ends_alone, enough } = parts;
+        let Parts { hub, door, studio, screen, printer, inbox, file, build, ends_alone, enough } = parts;
         Ok(Desk {
             hub,
             door,
             studio,
             screen,
+            printer,
+            inbox,
+            orders: Vec::new(),
             file,
             build,
             model: Model::default(),
@@ -190,6 +220,7 @@ impl Desk {
             seq: 0,
             ends_alone,
             enough,
+            saving: 0,
         })
     }
 
@@ -198,7 +229,12 @@ impl Desk {
         while let Some(event) = self.next(events) {
             match event {
                 Event::Opened { model, scene, look, warnings } => {
+                    // Undo goes by numbers, which mean the same only if nothing came or went.
+                    if self.scene.is_some() && !model.is_like(&self.model) {
+                        self.history.clear();
+                    }
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
+                    self.solo.retain(|id| (*id as usize) < self.model.lamps.len());
                     self.look = Some(look);
                     self.screen.mix(self.colors(), 0.0);
                     self.lay_out();
@@ -226,12 +262,19 @@ impl Desk {
                     (self.show.ev, self.metered) = (Some(ev), true);
                     self.tell_patch(json!({"display": self.display()}));
                 }
-                Event::Saved { saved } => {
-                    self.saved = saved;
-                    if self.unsaved.is_some() && self.saved["state"] == "saved" {
+                Event::Saved { saved, times } => {
+                    self.saving = self.saving.saturating_sub(times);
+                    let before = std::mem::replace(&mut self.saved, saved);
+                    if self.saved["state"] == "failed" {
+                        // Until there is room again, or another folder.
+                        self.unsaved.get_or_insert_with(Instant::now);
+                    } else if self.unsaved.is_some() {
                         self.saved["state"] = "waiting".into();
                     }
-                    self.tell_patch(json!({"saved": self.saved}));
+                    if self.saved != before {
+                        self.tell_patch(json!({"saved": self.saved}));
+                    }
+                    self.print();
                 }
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
@@ -240,6 +283,27 @@ impl Desk {
                     self.by_layer = by_layer;
                     self.told = self.layout.told(&readings);
                     self.tell_readings();
+                }
+                Event::Changed(opened) => {
+                    self.end_gesture();
+                    self.studio.reload(opened, saving::kept(&self.model));
+                }
+                Event::Broken { why } => {
+                    self.hub.tell_all(&json!({"is": "event", "what": "broken", "why": why}))
+                }
+                Event::Reloaded { lost } => {
+                    let event = json!({"is": "event", "what": "reloaded", "kept": self.history.steps(), "lost": lost});
+                    self.hub.tell_all(&event);
+                }
+                Event::Made { client, id, done } => {
+                    let answer = match done {
+                        Ok(name) => {
+                            json!({"is": "answer", "id": id, "name": name, "url": format!("/made/{name}")})
+                        }
+                        Err(why) => json!({"is": "answer", "id": id, "why": why}),
+                    };
+                    self.hub.tell(client, &answer);
+                    self.print();
                 }
                 Event::Idle => self.save(None),
                 Event::Refused { why } => {
@@ -253,6 +317,7 @@ impl Desk {
         self.end_gesture();
         self.save(None);
         self.hub.tell_all(&json!({"is": "event", "what": "bye"}));
+        self.printer.end();
         self.studio.end();
         self.screen.end();
     }
@@ -270,6 +335,7 @@ impl Desk {
     /// Has the edits written down, if there are some, or as a version of a name.
     fn save(&mut self, name: Option<String>) {
         if self.unsaved.take().is_some() || name.is_some() {
+            self.saving += 1;
             self.studio.save(saving::kept(&self.model), name);
         }
     }
@@ -455,7 +521,14 @@ impl Desk {
                 self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
                 return Ok(false);
             }
-            Question::Picture { .. } => return Err("this desk saves no pictures: render the document".into()),
+            Question::Picture { format, width, height, batches } => {
+                let order = Order { client, id, format, size: [width, height], batches };
+                order.check()?;
+                self.orders.push(order);
+                self.save(None);
+                self.print();
+                return Ok(false);
+            }
         };
         self.studio.ask(Asked { client, id, what });
         Ok(false)

@@ -82,6 +82,12 @@ impl History {
         Ok(Some(gesture))
     }
 
+    /// Forgets everything.
+    pub(crate) fn clear(&mut self) {
+        self.starts.truncate(1);
+        (self.done, self.labels) = (0, [None, None]);
+    }
+
     /// What would be undone, and what redone.
     pub(crate) fn labels(&self) -> &[Option<String>; 2] {
         &self.labels

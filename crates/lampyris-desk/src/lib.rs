@@ -22,12 +22,14 @@ mod model;
 mod opening;
 mod page;
 mod patch;
+mod printer;
 mod saver;
 mod saving;
 mod screen;
 mod state;
 mod studio;
 mod surfaces;
+mod watch;
 mod wire;
 
 pub use error::{Error, Result};
@@ -36,10 +38,13 @@ pub use studio::Opened;
 use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
+use printer::Printer;
 use screen::Screen;
+use std::fmt::Display;
 use std::net::SocketAddr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use studio::Studio;
 
 /// How a desk is set up.
@@ -51,6 +56,8 @@ pub struct Options {
     pub exposed: bool,
     /// The file that the scene comes from.
     pub file: PathBuf,
+    /// The program, of which pictures to keep are asked.
+    pub program: PathBuf,
     /// Width and height of pictures before a page says what it has room for [pixels].
     pub size: [u32; 2],
     /// Batches after which a picture is finished.
@@ -73,14 +80,14 @@ impl Ender {
 }
 
 /// Serves a desk until it ends. `ready` is told the link to edit as soon as it can be opened, and how to end; `open` reads the
-/// scene.
+/// scene, or, when that changes, its file alone.
 ///
 /// # Errors
 /// Where the address cannot be listened on, or the system refuses a thread; and what `open` says.
-pub fn serve<E: From<Error> + Send>(
+pub fn serve<E: From<Error> + Display + Send>(
     options: Options,
     ready: impl FnOnce(&str, Ender),
-    open: impl FnOnce() -> std::result::Result<Opened, E> + Send,
+    open: impl Fn(Option<&Path>) -> std::result::Result<Opened, E> + Sync,
 ) -> std::result::Result<(), E> {
     if !options.address.ip().is_loopback() && !options.exposed {
         return Err(Error::Exposed(options.address).into());
@@ -92,12 +99,15 @@ pub fn serve<E: From<Error> + Send>(
     let door = Arc::new(Door::new(address)?);
     let (inbox, events) = Inbox::new();
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
-    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone());
+    let printer = Arc::new(Printer::new(options.program.clone()));
+    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone());
     let parts = Parts {
         hub: hub.clone(),
         door: door.clone(),
         studio: studio.clone(),
         screen: screen.clone(),
+        printer,
+        inbox: inbox.clone(),
         file: options.file.clone(),
         build: server.build.clone(),
         ends_alone: options.ends_with_page,
@@ -107,12 +117,18 @@ pub fn serve<E: From<Error> + Send>(
     server.start(listener)?;
     let link = door.links().first().map(|link| door.address_of(link)).unwrap_or_default();
     ready(&link, Ender(inbox.clone()));
+    let over = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(move || desk.run(&events));
         let metered = inbox.clone();
         scope.spawn(|| screen.run(&hub, move |ev| metered.put(Event::Metered { ev })));
-        let done = open()
-            .and_then(|opened| studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from));
+        let done = open(None).and_then(|opened| {
+            let (file, events) = (opened.document.scene_file.clone(), inbox.clone());
+            let (open, over) = (&open, &over);
+            scope.spawn(move || watch::watch(&file, over, &events, || open(Some(&file))));
+            studio::run(&studio, opened, &options, &screen, &inbox).map_err(E::from)
+        });
+        over.store(true, Ordering::Relaxed);
         if done.is_err() {
             inbox.put(Event::End);
         }

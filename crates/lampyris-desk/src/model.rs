@@ -204,6 +204,15 @@ impl Model {
         })
     }
 
+    /// Whether it has the same lamps, things and materials under the same numbers.
+    pub(crate) fn is_like(&self, other: &Model) -> bool {
+        let lamps = |model: &Model| model.lamps.iter().map(|own| own.file_name.clone()).collect::<Vec<_>>();
+        let things = |model: &Model| model.things.iter().map(|own| own.name.clone()).collect::<Vec<_>>();
+        let materials =
+            |model: &Model| model.materials.iter().map(|own| own.file.name.clone()).collect::<Vec<_>>();
+        lamps(self) == lamps(other) && things(self) == things(other) && materials(self) == materials(other)
+    }
+
     /// By what a lamp's light is multiplied, its colour apart.
     pub(crate) fn level_of(&self, lamp: &Lamp) -> f32 {
         let group = self.groups.get(lamp.group as usize).filter(|group| !group.gone);

@@ -22,10 +22,12 @@ use lampyris::cpu::Cpu;
 use lampyris::document::{self, Document};
 use lampyris::frame::Frame as Sums;
 use lampyris::geometry::Ray;
+use lampyris::material::Class;
 use lampyris::measuring::{Estimate, illuminance};
 use lampyris::scene::{Camera, Edit, Mesh, Scene, View, find_view, upward};
 use lampyris::session::Session;
 use lampyris::world::World;
+use serde_json::Value;
 use std::f32::consts::PI;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -86,6 +88,8 @@ struct Stage {
     document: Document,
     saver: Saver,
     look: Arc<Look>,
+    /// The last camera that was no section: that one is kept.
+    plain: Camera,
     camera: Arc<CameraText>,
     size: [u32; 2],
     sketch: [u32; 2],
@@ -100,6 +104,8 @@ struct Stage {
     shown: Instant,
     /// What people want to know more of.
     pursued: Vec<Pursued>,
+    /// Whether it is noted what surfaces reflect.
+    survey: bool,
 }
 
 /// What lights a point, batch by batch.
@@ -118,53 +124,34 @@ enum Turn {
     Question,
 }
 
-/// Opens a scene and renders it until the end.
+/// Opens a scene and renders it until the end; if its file changes meanwhile, with the edits made here.
 pub(crate) fn run(
     studio: &Studio,
-    opened: Opened,
+    mut opened: Opened,
     options: &Options,
     screen: &Screen,
     inbox: &Inbox,
 ) -> Result<()> {
-    let Options { size, threads, batches, .. } = *options;
-    let Opened { mut document, camera } = opened;
-    let (scene, own) = (std::mem::take(&mut document.scene), document.document.clone());
-    let cpu = Cpu::new(threads)?;
-    let mut world = cpu.install(|| World::new(scene));
-    cpu.install(|| world.separate(own.layers.map_or(GROUPS, |layers| layers as usize)))?;
-    let scene = world.scene();
-    let aspect = size[0] as f32 / size[1] as f32;
-    let found = || find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera;
-    let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
-    let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
-    let look = Arc::new(Look::from(&camera));
-    world.apply(&Edit::View { camera: Some(camera) })?;
-    let mut model = opening::open(&world);
-    let lost =
-        saving::restore(&mut model, &own.desk).into_iter().map(|lost| format!("not found any more: {lost}"));
-    let warnings = document.warnings.iter().cloned().chain(lost).collect();
-    let scene = Box::new(bare(world.scene()));
-    let session = Session::begin(cpu, world, size, &picture_settings())?;
-    inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
-    let before = document.before.clone();
-    let saver = Saver::start(document, inbox.clone())?;
-    let mut stage = Stage {
-        session,
-        before,
-        document: own,
-        saver,
-        camera: Arc::new(camera_text(&look, 0)),
-        look,
-        size,
-        sketch: [0; 2],
-        enough: batches,
-        seq: 0,
-        moved: None,
-        pixel: 0.0,
-        shown: Instant::now(),
-        pursued: Vec::new(),
-    };
-    stage.work(studio, screen, inbox)
+    // Who saves needs no scene, and it may be large.
+    let scene = std::mem::take(&mut opened.document.scene);
+    let saver = Saver::start(opened.document.clone(), inbox.clone())?;
+    let document = opened.document.document.clone();
+    opened.document.scene = scene;
+    let mut stage = Stage::open(opened, document, saver, options, inbox)?;
+    while let Some((mut opened, desk)) = stage.work(studio, screen, inbox)? {
+        let document = stage.document(desk)?;
+        let (scene, lost) = document.apply(std::mem::take(&mut opened.document.scene));
+        opened.document.scene = scene;
+        opened.document.warnings.extend(lost.iter().map(|lost| format!("an edit is left out: {lost}")));
+        opened.camera = Some(stage.look.camera());
+        let Stage { saver, size, camera, look, plain, .. } = stage;
+        let options = Options { size, ..options.clone() };
+        stage = Stage::open(opened, document, saver, &options, inbox)?;
+        stage.session.cut(look.near)?;
+        (stage.camera, stage.look, stage.plain) = (camera, look, plain);
+        inbox.put(Event::Reloaded { lost });
+    }
+    Ok(())
 }
 
 /// A scene without its geometry: what edits are tried on.
@@ -180,8 +167,8 @@ pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
 }
 
 /// A batch that is soon done, of a picture that is soon another.
-fn sketchy() -> Settings {
-    let own = picture_settings();
+fn sketchy(survey: bool) -> Settings {
+    let own = picture_settings(survey);
     Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, edges: 0, ..own }
 }
 
@@ -190,26 +177,75 @@ fn meter_settings() -> Settings {
     Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() }
 }
 
-/// How a picture is.
-fn picture_settings() -> Settings {
-    Settings { auxiliary: true, ..Settings::interactive() }
+/// How a picture is estimated; with what its surfaces reflect, where that is wanted: then batches that are given up are lost.
+fn picture_settings(survey: bool) -> Settings {
+    Settings { auxiliary: survey, ..Settings::interactive() }
 }
 
 impl Stage {
-    fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<()> {
+    /// A scene as it was edited; `own` says so, and what the desk keeps with it.
+    fn open(opened: Opened, own: Document, saver: Saver, options: &Options, inbox: &Inbox) -> Result<Stage> {
+        let Options { size, threads, batches, .. } = *options;
+        let Opened { mut document, camera } = opened;
+        let cpu = Cpu::new(threads)?;
+        let scene = std::mem::take(&mut document.scene);
+        let mut world = cpu.install(|| World::new(scene));
+        cpu.install(|| world.separate(own.layers.map_or(GROUPS, |layers| layers as usize)))?;
+        let scene = world.scene();
+        let aspect = size[0] as f32 / size[1] as f32;
+        let found = || find_view(scene, &|ray| world.tracer().closest(ray), aspect).camera;
+        let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
+        let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
+        let look = Arc::new(Look::from(&camera));
+        world.apply(&Edit::View { camera: Some(camera.clone()) })?;
+        let mut model = opening::open(&world);
+        let lost = saving::restore(&mut model, &own.desk);
+        let lost = lost.into_iter().map(|lost| format!("not found any more: {lost}"));
+        let warnings = document.warnings.into_iter().chain(lost).collect();
+        let scene = Box::new(bare(world.scene()));
+        let session = Session::begin(cpu, world, size, &picture_settings(false))?;
+        inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
+        Ok(Stage {
+            session,
+            before: document.before,
+            document: own,
+            saver,
+            camera: Arc::new(camera_text(&look, 0)),
+            look,
+            plain: camera,
+            size,
+            sketch: [0; 2],
+            enough: batches,
+            seq: 0,
+            moved: None,
+            pixel: 0.0,
+            shown: Instant::now(),
+            pursued: Vec::new(),
+            survey: false,
+        })
+    }
+
+    /// What was edited, with what the desk keeps.
+    fn document(&self, desk: Value) -> Result<Document> {
+        let scene = Scene { view: Some(self.plain.clone()), ..document::outline(self.session.scene()?) };
+        let mut document = Document::of(&self.before, &scene);
+        document.scene = self.document.scene.clone();
+        (document.layers, document.desk) = (Some(GROUPS as u32), desk);
+        Ok(document)
+    }
+
+    /// Renders until the end, or until the scene's file is another one.
+    fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<Option<(Opened, Value)>> {
         let mut last = Turn::Meters;
         loop {
             let (turn, until) = self.turn(last);
-            let work = studio.take(until);
-            if work.ended {
-                return self.follow(work, inbox);
+            let mut work = studio.take(until);
+            let reload = work.reload.take();
+            if work.ended || reload.is_some() {
+                self.follow(work, inbox)?;
+                return Ok(reload.map(|(opened, desk)| (*opened, desk)));
             }
-            let again = work.again;
             self.follow(work, inbox)?;
-            if again && self.batches() > 0 {
-                self.shown = Instant::now() - SELDOM;
-                self.show(Turn::Picture, 0.0, (studio, screen, inbox))?;
-            }
             // What was asked may have changed whose turn it is.
             let Some(turn) = self.turn(last).0.or(turn) else { continue };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
@@ -232,9 +268,9 @@ impl Stage {
                 Turn::Sketch => {
                     let pixel = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
                     self.pixel = if self.pixel == 0.0 { pixel } else { 0.7 * self.pixel + 0.3 * pixel };
-                    self.show(Turn::Sketch, seconds, (studio, screen, inbox))?;
+                    self.show(Turn::Sketch, seconds, screen, inbox)?;
                 }
-                Turn::Picture => self.show(Turn::Picture, seconds, (studio, screen, inbox))?,
+                Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
                 Turn::Meters => {
                     if let Some(frame) = self.session.meters() {
                         inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
@@ -290,6 +326,13 @@ impl Stage {
             self.session.resize(size)?;
             self.moved = None;
         }
+        if let Some(survey) = work.survey.filter(|survey| *survey != self.survey) {
+            self.survey = survey;
+            self.session.set(&picture_settings(survey))?;
+            if self.sketch != [0; 2] {
+                self.session.sketch(Some((self.sketch, sketchy(survey))))?;
+            }
+        }
         if let Some((look, number, seq)) = work.camera {
             self.begin_to_move()?;
             self.seq = self.seq.max(seq);
@@ -298,6 +341,9 @@ impl Stage {
                 self.session.cut(look.near)?;
             }
             self.session.edit(&Edit::View { camera: Some(look.camera()) })?;
+            if look.near == 0.0 {
+                self.plain = look.camera();
+            }
             self.look = Arc::new(look);
         }
         if let Some(meters) = work.meters {
@@ -307,10 +353,7 @@ impl Stage {
         }
         self.session.forget();
         if let Some((desk, name)) = work.save {
-            let mut document = Document::of(&self.before, self.session.scene()?);
-            document.scene = self.document.scene.clone();
-            (document.layers, document.desk) = (Some(GROUPS as u32), desk);
-            self.saver.save(document, name);
+            self.saver.save(self.document(desk)?, name);
         }
         for Asked { client, id, what } in work.questions {
             let found = match what {
@@ -356,21 +399,16 @@ impl Stage {
         let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
         if rested && sketch != self.sketch {
             self.sketch = sketch;
-            self.session.sketch(Some((sketch, sketchy())))?;
+            self.session.sketch(Some((sketch, sketchy(self.survey))))?;
         }
         Ok(())
     }
 
     /// Hands what was drawn to the screen, and tells how far it is.
-    fn show(
-        &mut self,
-        turn: Turn,
-        seconds: f32,
-        (studio, screen, inbox): (&Studio, &Screen, &Inbox),
-    ) -> Result<()> {
+    fn show(&mut self, turn: Turn, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
         let sketched = turn == Turn::Sketch;
         let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
-        let survey = studio.survey.load(Ordering::Relaxed);
+        let survey = self.survey;
         let readable = if survey { surfaces::readable(self.session.scene()?) } else { Vec::new() };
         let frame = match self.session.sketched().filter(|_| sketched) {
             Some(frame) => frame,
@@ -433,7 +471,6 @@ impl Stage {
         // The same place in the picture as it is now, whatever size the frame had.
         let place = [0, 1].map(|axis| (at[axis] * self.size[axis] as f32 / frame.size[axis] as f32) as u32);
         let pixel = place[1] as usize * self.size[0] as usize + place[0] as usize;
-        let readable = surfaces::readable(self.session.scene().ok()?);
         let sums = self.session.frame().ok()?;
         let (radiance, factor) = (sums.at(pixel)?, sums.student_factor() * sums.standard_error(pixel));
         if sums.batches() == 0 {
@@ -442,8 +479,7 @@ impl Stage {
         let luminance = f64::from(radiance.luminance());
         let error = Some(f64::from(factor)).filter(|error| error.is_finite());
         found.luminance = Some(Estimate { value: luminance, error });
-        let albedo = surfaces::albedo(sums.auxiliary()?, &readable, pixel);
-        let lux = albedo.and_then(|albedo| illuminance(radiance, albedo)).map(f64::from);
+        let lux = found.albedo.and_then(|albedo| illuminance(radiance, albedo)).map(f64::from);
         let scale = |lux: f64| error.filter(|_| luminance > 0.0).map(|error| error / luminance * lux);
         found.lux = lux.map(|lux| Estimate { value: lux, error: scale(lux) });
         Some(found)
@@ -459,6 +495,8 @@ impl Stage {
             instance: surface.instance,
             material: surface.material,
             emitter: world.emitter_of(&surface),
+            albedo: surfaces::is_readable(&world.scene().materials[surface.material as usize])
+                .then(|| surface.albedo(Class::Dull) + surface.albedo(Class::Sharp)),
             lux: None,
             luminance: None,
         })

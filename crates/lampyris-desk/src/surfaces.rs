@@ -9,23 +9,22 @@ use lampyris::scene::Scene;
 /// Most that a readable surface reflects sharply, met at a right angle.
 const GLOSS: f32 = 0.06;
 
+/// Whether a surface of a material is readable.
+pub(crate) fn is_readable(m: &Material) -> bool {
+    let albedo = |class| m.bsdf.albedo(class, glam::Vec3::Z).luminance();
+    albedo(Class::Sharp) <= GLOSS && albedo(Class::Dull) > 0.0 && !m.bsdf.transmits() && m.emission.is_black()
+}
+
 /// Of each instance whether all of its surfaces are readable.
 pub(crate) fn readable(scene: &Scene) -> Vec<bool> {
-    let plain = |m: &Material| {
-        let albedo = |class| m.bsdf.albedo(class, glam::Vec3::Z).luminance();
-        albedo(Class::Sharp) <= GLOSS
-            && albedo(Class::Dull) > 0.0
-            && !m.bsdf.transmits()
-            && m.emission.is_black()
-    };
-    let plain: Vec<bool> = scene.materials.iter().map(plain).collect();
+    let plain: Vec<bool> = scene.materials.iter().map(is_readable).collect();
     let all = |worn: &[u32]| worn.iter().all(|m| plain.get(*m as usize) == Some(&true));
     let meshes: Vec<bool> = scene.meshes.iter().map(|mesh| all(&mesh.materials)).collect();
     scene.instances.iter().map(|i| meshes.get(i.mesh as usize) == Some(&true)).collect()
 }
 
 /// What the surface behind a pixel reflects in the mean, if it is readable.
-pub(crate) fn albedo(seen: &Auxiliary, readable: &[bool], pixel: usize) -> Option<Rgb> {
+fn albedo(seen: &Auxiliary, readable: &[bool], pixel: usize) -> Option<Rgb> {
     let instance = seen.object.get(pixel)?.checked_sub(1)?;
     let scale = 1.0 / seen.samples.max(1) as f32;
     readable.get(instance as usize).filter(|readable| **readable).map(|_| seen.albedo[pixel] * scale)

@@ -140,15 +140,12 @@ impl Desk {
 
     /// An edit of the gesture at hand.
     pub(super) fn edit(&mut self, seq: u32, patch: Patch, seconds: f32) -> Result<bool, String> {
-        let (mut inverse, traced) = self.carry_out(seq, &patch, seconds)?;
+        let (inverse, traced) = self.carry_out(seq, &patch, seconds)?;
         if let Some(gesture) = &mut self.gesture {
             // Forth to the latest, back to the first.
-            let mut forward = patch;
-            forward.over(std::mem::take(&mut gesture.forward));
-            gesture.forward = forward;
-            let mut first = std::mem::take(&mut gesture.inverse);
-            first.over(std::mem::take(&mut inverse));
-            gesture.inverse = first;
+            let before = std::mem::replace(&mut gesture.forward, patch);
+            gesture.forward.over(before);
+            gesture.inverse.over(inverse);
         }
         Ok(traced)
     }
@@ -164,7 +161,7 @@ impl Desk {
         let Some(scene) = &mut self.scene else { return Err("the scene is not there yet".into()) };
         let inverse = self.model.apply(patch)?;
         let touched = Touched::of(patch);
-        let before = (scene.clone(), ());
+        let before = scene.clone();
         let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
             let mixed = mix(&self.model, scene)?;
             let traces = !traced.is_empty() || mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
@@ -185,7 +182,7 @@ impl Desk {
                 Ok((inverse, traced))
             }
             Err(why) => {
-                *scene = before.0;
+                *scene = before;
                 self.model.apply(&inverse)?;
                 Err(why)
             }

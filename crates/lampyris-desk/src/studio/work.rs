@@ -1,8 +1,10 @@
 //! What the studio is asked to do: everybody may put something down, and it takes all of it between batches.
 
+use super::Opened;
 use crate::screen::Frame;
 use crate::wire::Look;
 use glam::Vec3;
+use lampyris::Rgb;
 use lampyris::eye::Meter;
 use lampyris::geometry::Ray;
 use lampyris::measuring::Estimate;
@@ -21,12 +23,14 @@ pub(super) struct Work {
     /// Edits in order; of those of one thing that follow each other only the last.
     pub(super) edits: Vec<(Edit, u32)>,
     pub(super) questions: Vec<Asked>,
-    /// The picture is to be shown once more.
-    pub(super) again: bool,
+    /// Whether what surfaces reflect is to be noted.
+    pub(super) survey: Option<bool>,
     /// Where to measure from now on.
     pub(super) meters: Option<Vec<Meter>>,
     /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
     pub(super) save: Option<(Value, Option<String>)>,
+    /// The scene's file was read again; what the desk wants to be kept.
+    pub(super) reload: Option<(Box<Opened>, Value)>,
     pub(super) ended: bool,
 }
 
@@ -54,7 +58,8 @@ pub(crate) struct Found {
     pub(crate) instance: u32,
     pub(crate) material: u32,
     pub(crate) emitter: Option<u32>,
-    /// What it receives [lx], as far as the picture tells, and what it sends to the eye [cd/m²], each with its 95 % error.
+    /// What it reflects, where that tells what it receives [lx], as far as the picture tells, and what it sends to the eye [cd/m²], each with its 95 % error.
+    pub(crate) albedo: Option<Rgb>,
     pub(crate) lux: Option<Estimate>,
     pub(crate) luminance: Option<Estimate>,
 }
@@ -63,20 +68,13 @@ pub(crate) struct Found {
 pub(crate) struct Studio {
     work: Mutex<Work>,
     wake: Condvar,
-    /// Whether the surfaces of pictures are to be told.
-    pub(super) survey: AtomicBool,
     /// What is to be done makes the batch at hand pointless, or shall not wait for it.
     pub(super) urgent: AtomicBool,
 }
 
 impl Studio {
     pub(crate) fn new() -> Studio {
-        Studio {
-            work: Mutex::default(),
-            wake: Condvar::new(),
-            survey: AtomicBool::new(false),
-            urgent: AtomicBool::new(false),
-        }
+        Studio { work: Mutex::default(), wake: Condvar::new(), urgent: AtomicBool::new(false) }
     }
 
     /// Looks from elsewhere.
@@ -104,9 +102,7 @@ impl Studio {
 
     /// Whether the surfaces of pictures are to be told from now on, for false colour of illuminance.
     pub(crate) fn survey(&self, on: bool) {
-        if self.survey.swap(on, Ordering::Relaxed) != on {
-            self.put(true, |work| work.again = true);
-        }
+        self.put(true, |work| work.survey = Some(on));
     }
 
     /// Asks.
@@ -121,6 +117,11 @@ impl Studio {
     /// Measures at some points, in the place of those before.
     pub(crate) fn measure(&self, meters: Vec<Meter>) {
         self.put(false, |work| work.meters = Some(meters));
+    }
+
+    /// Goes on with a scene that was read again, and the edits of this one.
+    pub(crate) fn reload(&self, opened: Box<Opened>, desk: Value) {
+        self.put(true, |work| work.reload = Some((opened, desk)));
     }
 
     /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
@@ -152,7 +153,8 @@ impl Studio {
                 && work.questions.is_empty()
                 && work.save.is_none()
                 && work.meters.is_none()
-                && !work.again
+                && work.survey.is_none()
+                && work.reload.is_none()
         };
         while idle(&work) {
             work = match until.map(|until| until.saturating_duration_since(Instant::now())) {

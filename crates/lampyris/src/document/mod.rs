@@ -13,7 +13,7 @@ mod place;
 mod text;
 
 pub use open::{Ask, Opened, is_document, open};
-pub use place::{Place, beside, state_folder};
+pub use place::{Digest, Place, beside, state_folder};
 
 use crate::color::Rgb;
 use crate::light::{Light, LightKind, State};

@@ -1,6 +1,6 @@
 //! Opening: a document, with the scene that it names, or a scene alone.
 
-use super::{Document, Environment, Reading, outline, place, text};
+use super::{Digest, Document, Environment, Reading, outline, place, text};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::import::files::Root;
@@ -39,7 +39,7 @@ pub struct Opened {
     /// What of the edits had no place in the scene.
     pub lost: Vec<String>,
     /// Of the document's text.
-    pub(super) digest: Option<place::Digest>,
+    pub digest: Option<Digest>,
 }
 
 /// How many of the edits that were lost are told of among the warnings.
@@ -136,7 +136,7 @@ fn edited(path: &Path, ask: &Ask, state: Option<&Path>) -> Result<Opened> {
     if lost.len() > TOLD {
         opened.warnings.push(format!("{} more edits are left out", lost.len() - TOLD));
     }
-    let digest = Some(place::Digest::new(&text));
+    let digest = Some(Digest::new(&text));
     Ok(Opened { scene, document, document_file: Some(path.into()), lost, digest, ..opened })
 }
 

@@ -26,7 +26,7 @@ pub struct Place {
 
 /// By what two texts are told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Digest {
+pub struct Digest {
     bytes: u64,
     /// FNV-1a.
     hash: u64,

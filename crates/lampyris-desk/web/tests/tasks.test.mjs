@@ -1,0 +1,198 @@
+// Five tasks of everyday work, done as a person does who has not read the help: by what is written on the page, with mouse
+// and keyboard. Each says how many gestures it took and how long, and is believed only if values and pixels both show it.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { caughtUp, LAMPYRIS } from './desk.mjs';
+import { colorOf, good, mean, Person, sitDown } from './person.mjs';
+
+const skip = LAMPYRIS ? false : 'LAMPYRIS names no program';
+/** What a person may take for each [s]; the tests wait for good pictures besides. */
+const PATIENCE = 60;
+/** Parts of the first picture, in shares: the table, and the floor before the chair. */
+const TABLE = [0.6, 0.56, 0.16, 0.06];
+const FLOOR = [0.35, 0.85, 0.3, 0.1];
+
+let desk;
+let page;
+before(async () => {
+    if (skip) return;
+    desk = await sitDown('scenes/office.mgf', { width: 1280, height: 720 });
+    page = desk.page;
+});
+after(() => desk?.stand());
+
+/** Does a task; waiting for good pictures before and after is not the person's time. */
+async function task(t, does) {
+    await good(page);
+    const person = new Person(page);
+    const begun = performance.now();
+    await does(person);
+    await caughtUp(page);
+    const seconds = (performance.now() - begun) / 1000;
+    t.diagnostic(`${person.counted()}; the picture followed after ${seconds.toFixed(1)} s`);
+    assert.ok(seconds < PATIENCE, `${seconds} s`);
+    await good(page);
+}
+
+const flux = (lamp) => new Person(page).fader(lamp).locator('.lumens').innerText();
+const numberOf = (text) => Number(text.replace(/[^\d.]/g, ''));
+const undone = () => page.locator('.bar button[aria-label^="Undo"]').getAttribute('aria-label');
+
+test('dim the desk lamp', { skip }, async (t) => {
+    await task(t, async (person) => {
+        await person.click(person.fader('lamp_desk/bulb').locator('.row-name'));
+        await person.click(page.locator('.inspector').getByRole('button', { name: 'Frame' }));
+    });
+    const under = [0.4, 0.55, 0.2, 0.4];
+    const was = mean(await colorOf(page, under));
+    const lumens = numberOf(await flux('lamp_desk/bulb'));
+    await task(t, async (person) => person.slide(person.fader('lamp_desk/bulb').locator('input.level'), 1, 0.5));
+    const level = numberOf(await new Person(page).fader('lamp_desk/bulb').getByLabel(/level, typed/).inputValue()) / 100;
+    assert.ok(level > 0.2 && level < 0.3, `half the travel of the square law is ${level}`);
+    assert.ok(Math.abs(numberOf(await flux('lamp_desk/bulb')) - level * lumens) < 0.02 * lumens);
+    assert.match(await undone(), /lamp_desk\/bulb 100 → 2\d %/);
+    const now = mean(await colorOf(page, under));
+    assert.ok(now < 0.9 * was, `under the lamp from ${was} to ${now}`);
+    if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/task-dim.png` });
+    await page.keyboard.press('Escape');
+    await new Person(page).press('Home');
+});
+
+test('make the room 3000 K', { skip }, async (t) => {
+    const lamps = await page.locator('.fader-row .row-name').count();
+    const lumens = await page.locator('.fader-row .lumens').allInnerTexts();
+    await good(page);
+    const was = await colorOf(page, [0, 0, 1, 1]);
+    await task(t, async (person) => {
+        await person.press('Control+a');
+        await person.click(person.button('White'));
+        await person.click(person.button('3000 kelvin, warm white'));
+    });
+    const told = await page.locator('.fader-row .tint').allInnerTexts();
+    assert.deepEqual(told.map((text) => text.trim()), Array(lamps).fill('3000 K'));
+    assert.deepEqual(await page.locator('.fader-row .lumens').allInnerTexts(), lumens, 'a colour keeps the lumens');
+    const now = await colorOf(page, [0, 0, 1, 1]);
+    assert.ok(now[2] / now[0] < 0.92 * (was[2] / was[0]), `blue to red from ${was} to ${now}`);
+    await page.keyboard.press('Escape');
+});
+
+test('hang a lamp over the table and aim it', { skip }, async (t) => {
+    await good(page);
+    const lamps = await page.locator('.fader-row').count();
+    const [table, elsewhere] = [mean(await colorOf(page, TABLE)), mean(await colorOf(page, FLOOR))];
+    await task(t, async (person) => {
+        await person.click(person.button('Add a lamp'));
+        await person.click(page.getByRole('button', { name: /Add a spot lamp by pointing/ }));
+        await person.point(0.675, 0.585);
+        await page.waitForFunction((n) => document.querySelectorAll('.fader-row').length === n + 1, lamps);
+        await page.waitForSelector('.inspector .tools');
+        await person.click(page.locator('.inspector').getByRole('button', { name: 'Aim' }));
+        await person.point(0.7, 0.6);
+        await page.waitForFunction(() => /Undo: Aim/.test(document.querySelector('.bar button[aria-label^="Undo"]').getAttribute('aria-label')));
+    });
+    assert.equal(await page.locator('.inspector').getByLabel('Name of the lamp').inputValue(), 'Spot 1');
+    // The table's middle is (4.05, 1.39), its top at 0.42 m.
+    const at = async (what) => Promise.all('XYZ'.split('').map(async (axis) => numberOf(await page.getByLabel(`${what} ${axis}`).inputValue())));
+    const [place, aim] = [await at('Position'), await at('Aims at')];
+    assert.ok(aim[2] < 0.6 && aim[2] > 0.38, `it is aimed at the table or what stands on it: ${aim}`);
+    assert.ok(Math.abs(place[2] - aim[2] - 1.2) < 0.15, `it hangs 1.2 m above: ${place}`);
+    const now = mean(await colorOf(page, TABLE));
+    const beside = mean(await colorOf(page, FLOOR));
+    assert.ok(now > 1.1 * table, `the table from ${table} to ${now}`);
+    assert.ok(Math.abs(beside / elsewhere - 1) < 0.5 * (now / table - 1), `the floor beside from ${elsewhere} to ${beside}`);
+    if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/task-hang.png` });
+    await page.keyboard.press('Escape');
+});
+
+/** What the strip says of the one area: mean [lx] and uniformity. */
+const area = async () => {
+    const text = await page.locator('.readings .reading').innerText();
+    const [, mean] = /Ē ([\d.]+) lx/.exec(text) ?? [0, NaN];
+    const [, uniformity] = /U₀ ([\d.]+)/.exec(text) ?? [0, NaN];
+    return { mean: Number(mean), uniformity: Number(uniformity), met: text.includes('✓'), text };
+};
+
+/** Waits until figures are known, and no longer grey. */
+const measured = async (change) => {
+    await page.waitForFunction((old) => {
+        const reading = document.querySelector('.readings .reading');
+        return /Ē \d/.test(reading?.innerText) && reading.innerText !== old && !reading.querySelector('.unsettled');
+    }, change, { timeout: 60_000 });
+};
+
+test('reach 500 lx with a uniformity of 0.6 on the desk', { skip }, async (t) => {
+    await good(page);
+    await task(t, async (person) => {
+        await person.click(person.button('Plan'));
+        await page.waitForSelector('.cut output');
+        await caughtUp(page);
+        await person.click(person.button('Lay a grid'));
+        // The desk's corners by what the plan shows: x 1.40 to 3.20, y 3.62 to 4.36.
+        await person.point(...(await planAt(1.5, 3.67)));
+        await page.waitForTimeout(500);
+        await person.point(...(await planAt(2.8, 3.99)));
+        await page.waitForSelector('.inspector [aria-label="Corner Z"]');
+        // Over what stands on it.
+        await person.type(page.getByLabel('Corner Z'), '+=0.1');
+        await measured('');
+        // The lamp of the desk would spot it; the panel above lights all of it.
+        for (let k = 0; k < 4; k++) {
+            const { mean, met, text } = await area();
+            if (met) break;
+            const panel = person.fader('panel_desk').getByLabel(/level, typed/);
+            const level = numberOf(await panel.inputValue());
+            await person.type(panel, String(Math.ceil((level * 540) / mean)));
+            await measured(text);
+        }
+    });
+    const { mean: lux, uniformity, met, text } = await area();
+    if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/task-reach.png` });
+    assert.ok(met && lux >= 500 && uniformity >= 0.6, text);
+});
+
+/** Where a point of the floor plan lies in the view, in shares: by what a person sees, the room's outline. */
+const planAt = (x, y) => page.evaluate(([px, py]) => {
+    const canvas = document.querySelector('.stage canvas');
+    const { width, height } = canvas;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+    const lit = (k) => data[4 * k] + data[4 * k + 1] + data[4 * k + 2] > 24;
+    let [left, right] = [width, 0];
+    for (let k = 0; k < width * height; k++) if (lit(k)) [left, right] = [Math.min(left, k % width), Math.max(right, k % width)];
+    // The room is 6 m wide, seen straight from above, its middle in the middle.
+    const scale = (right + 1 - left) / 6.0;
+    const middle = [(left + right + 1) / 2, height / 2];
+    return [(middle[0] + (px - 3) * scale) / width, (middle[1] - (py - 2.36) * scale) / height];
+}, [x, y]);
+
+test('show before and after', { skip }, async (t) => {
+    await page.keyboard.press('Escape');
+    await task(t, async (person) => person.click(person.button('Inside')));
+    const before = mean(await colorOf(page, TABLE));
+    await task(t, async (person) => {
+        const row = person.fader('lamp_pendant/globe');
+        await person.slide(row.locator('input.level'), 1, 0.3);
+        await person.click(person.button('Compare'));
+        await page.waitForSelector('canvas.before');
+        const line = await page.locator('.wipe').boundingBox();
+        const view = await page.locator('#view').boundingBox();
+        await person.drag([line.x + line.width / 2, line.y + line.height / 2], [view.x + 0.7 * view.width, line.y + line.height / 2]);
+    });
+    if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/task-show.png` });
+    assert.equal(await page.locator('.wipe').getAttribute('aria-valuenow'), '70');
+    assert.match(await page.locator('canvas.before').evaluate((canvas) => canvas.style.clipPath), /inset\(0px 30/);
+    const [kept, now] = [mean(await colorOf(page, TABLE, 'canvas.before')), mean(await colorOf(page, TABLE))];
+    assert.ok(Math.abs(kept - before) < 0.02 * before, `before it was ${before}, and ${kept} is shown`);
+    assert.ok(now < 0.98 * before, `after it is ${now}`);
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('canvas.before', { state: 'detached' });
+    // Held, it shows all of what was.
+    await page.locator('#view').focus();
+    await page.keyboard.down('\\');
+    await page.waitForSelector('canvas.before');
+    assert.equal(await page.locator('canvas.before').evaluate((canvas) => canvas.style.clipPath), 'none');
+    await page.keyboard.up('\\');
+    await page.waitForSelector('canvas.before', { state: 'detached' });
+});
+
+test('nothing was complained of', { skip }, () => assert.deepEqual(desk.complaints, []));

@@ -1,0 +1,111 @@
+//! A sketch beside the picture follows edits as the picture does, and neither knows of the other; and a section shows what
+//! stands behind it, in the light of the whole.
+
+mod stage;
+
+use glam::Vec3;
+use lampyris::Rgb;
+use lampyris::backend::Settings;
+use lampyris::scene::{Camera, Edit, Scene, View};
+use lampyris::session::Session;
+use stage::support::{FAST, settings};
+use stage::{Chance, some_edit, stage};
+
+const SIZE: [u32; 2] = [12, 8];
+const SMALL: [u32; 2] = [6, 4];
+
+fn own(filter: bool) -> Settings {
+    Settings { photons: 200, interleave: [2, 2], filter, ..settings(FAST, 24, 1, 1) }
+}
+
+fn sketchy() -> Settings {
+    Settings { paths: 12, edges: 0, ..own(true) }
+}
+
+fn open(scene: Scene) -> Session {
+    Session::open(scene, SIZE, &own(true), Some(2)).expect("a scene with a view")
+}
+
+fn bits(plane: &[Rgb]) -> Vec<u32> {
+    plane.iter().flat_map(|v| v.to_array().map(f32::to_bits)).collect()
+}
+
+#[test]
+fn a_sketch_is_a_picture_of_its_own() {
+    let mut c = Chance::new(3);
+    let mut session = open(stage());
+    session.sketch(Some((SMALL, sketchy()))).unwrap();
+    for round in 0..12 {
+        for _ in 0..3 {
+            // Some edits make no sense in the scene as it stands.
+            let edit = some_edit(&mut c, session.scene().unwrap());
+            let _ = session.edit(&edit);
+            if c.unit() < 0.5 {
+                session.step_sketch(&|| true).unwrap();
+            }
+            if c.unit() < 0.3 {
+                session.step().unwrap();
+            }
+        }
+        let scene = session.scene().unwrap().clone();
+        // What stood in for layers that were dealt anew is let go by settling a picture, of which a sketch knows nothing.
+        while session.sketched().unwrap().progress().iter().any(|p| p.held || p.batches < 3) {
+            session.step_sketch(&|| true).unwrap();
+        }
+        let batches = session.sketched().unwrap().batches();
+        let sketch = bits(&session.sketched().unwrap().mean());
+        let mut alone = Session::open(scene.clone(), SMALL, &sketchy(), Some(1)).unwrap();
+        alone.settle(batches).unwrap();
+        assert!(sketch == bits(&alone.frame().unwrap().mean()), "round {round}: another sketch");
+        session.settle(3).unwrap();
+        let mut fresh = open(scene);
+        fresh.settle(3).unwrap();
+        let shown = |session: &mut Session| bits(&session.frame().unwrap().shown());
+        if session.frame().unwrap().batches() == 3 {
+            assert!(shown(&mut session) == shown(&mut fresh), "round {round}: another picture");
+        }
+    }
+    session.sketch(None).unwrap();
+    assert!(session.sketched().is_none());
+    assert!(!session.step_sketch(&|| true).unwrap());
+}
+
+/// Each pixel of a section shows what its ray meets first behind the plane, and as bright as it is seen from elsewhere.
+#[test]
+fn a_section_shows_what_is_behind_it() {
+    let scene = stage();
+    let target = Vec3::ONE;
+    let eye = Vec3::new(1.0, 1.0, 30.0);
+    let camera = Camera { name: String::new(), eye, target, up: Vec3::Y, fov_y: 5.0 };
+    let settings = Settings { auxiliary: true, ..own(false) };
+    let scene = Scene { view: Some(camera.clone()), ..scene };
+    let mut session = Session::open(scene, SIZE, &settings, Some(2)).unwrap();
+    let mut differ = 0;
+    for near in [0.0, 28.2, 29.0, 29.6] {
+        session.cut(near).unwrap();
+        session.settle(2).unwrap();
+        let view = View::new(&camera, SIZE[0], SIZE[1]);
+        let world = session.world().unwrap();
+        let expected: Vec<f32> = (0..SIZE[0] * SIZE[1])
+            .map(|k| {
+                let mut ray = view.ray((k % SIZE[0]) as f32 + 0.5, (k / SIZE[0]) as f32 + 0.5);
+                let skipped = near / ray.direction.dot(Vec3::NEG_Z);
+                ray.origin += ray.direction * skipped;
+                world.closest(&ray).map_or(0.0, |s| (s.position - eye).length())
+            })
+            .collect();
+        let frame = session.frame().unwrap();
+        let seen = frame.auxiliary().unwrap();
+        for (depth, expected) in seen.depth.iter().zip(&expected) {
+            let depth = depth / seen.samples as f32;
+            assert!(depth == 0.0 || depth >= near - 1e-3, "{depth} m lies before {near} m");
+            differ += u32::from((depth - expected).abs() > 0.3);
+        }
+    }
+    // Samples lie within pixels, not in their middle: edges differ.
+    assert!(differ < 4 * SIZE[0] * SIZE[1] / 4, "{differ} pixels show something else");
+    for bad in [-1.0, f32::NAN, f32::INFINITY] {
+        assert!(session.cut(bad).is_err());
+    }
+    session.edit(&Edit::View { camera: Some(camera) }).unwrap();
+}
