@@ -2393,22 +2393,23 @@ import {
   digits as yu,
   hovered as zo,
   Icon as ku,
+  lamps as wu,
   luxText as fe,
-  nameOf as wu,
-  select as xu,
-  useEffect as Mu,
-  useRef as Su,
-  viewSize as Cu,
-  what as $u
+  nameOf as xu,
+  select as Mu,
+  useEffect as Su,
+  useRef as Cu,
+  viewSize as $u,
+  what as Lu
 } from "./desk.js";
 import { jsx as K, jsxs as ne } from "./desk.js";
-var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Lu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Pu() {
-  let e = $u.value, t = Su(null);
-  if (Mu(() => {
+var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Pu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Tu() {
+  let e = Lu.value, t = Cu(null);
+  if (Su(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = Cu.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), r = o.reduce((c, g) => c + Se(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = $u.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), r = o.reduce((c, g) => c + Se(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * l.length)), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
   return ne(
     "div",
     {
@@ -2434,8 +2435,8 @@ function Pu() {
             {
               onPointerEnter: () => zo.value = { kind: "lamp", id: c.id },
               onPointerLeave: () => zo.value = null,
-              children: ne("button", { class: "row", onClick: () => xu("lamp", c.id), children: [
-                K("span", { class: "name", children: wu("lamp", c.id) }),
+              children: ne("button", { class: "row", onClick: () => Mu("lamp", c.id), children: [
+                K("span", { class: "name", children: xu("lamp", c.id) }),
                 ne("span", { class: "figure", children: [
                   yu(100 * Se(c) / r, Se(c) / r < 0.0995 ? 1 : 0),
                   " %"
@@ -2443,9 +2444,9 @@ function Pu() {
                 ne("span", { class: "figure lux", children: [
                   fe(Se(c)),
                   " ±",
-                  fe(Lu(c), !1)
+                  fe(Pu(c), !1)
                 ] }),
-                ne("span", { class: "bar", "aria-hidden": "true", children: [
+                ne("span", { class: "shares", "aria-hidden": "true", children: [
                   K("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
                   K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / r}%` } }),
                   K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / r}%` } })
@@ -2464,11 +2465,9 @@ function Pu() {
             c.id
           )),
           o.length > l.length && ne("li", { class: "quiet", children: [
-            "and ",
-            o.length - l.length,
-            " others, ",
-            fe(i),
-            " together"
+            o.length - l.length === 1 ? "one more" : `${o.length - l.length} more together`,
+            ": ",
+            fe(i)
           ] }),
           !o.length && K("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
@@ -2477,7 +2476,7 @@ function Pu() {
           K("span", { class: "key indirect", children: "indirect" }),
           K("span", { class: "key caustic", children: "caustic" }),
           K("span", { class: "gap" }),
-          _o.value.length > 0 && K("button", { onClick: () => Be(_o.peek(), e.hit.point), children: "Aim here" }),
+          _o.value.some((c) => wu.get(c)?.place?.direction) && K("button", { onClick: () => Be(_o.peek(), e.hit.point), children: "Aim here" }),
           K("button", { onClick: () => Ue(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
@@ -2499,5 +2498,5 @@ export {
   nu as ViewItems,
   hu as ViewStrip,
   vu as WalkPad,
-  Pu as What
+  Tu as What
 };
