@@ -120,8 +120,8 @@ function Be(e, t) {
 }
 function zt(e, t) {
   let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
-    let r = o.filter((l) => !n.has(l));
-    r.length && (Zo(t, r[r.length - 1]), queueMicrotask(() => a()));
+    let l = o.filter((r) => !n.has(r));
+    l.length && (Zo(t, l[l.length - 1]), queueMicrotask(() => a()));
   });
   setTimeout(() => a(), 3e3);
 }
@@ -133,9 +133,9 @@ function Xt(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
 function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let a = Xn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Kt(jo(a, o)), l = _t(t, e), [i, u] = [Wt(l, o), Wt(l, r)];
+  let a = Xn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], l = Kt(jo(a, o)), r = _t(t, e), [i, u] = [Wt(r, o), Wt(r, l)];
   if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return Bt("An area needs two corners that lie apart.", "warn");
-  let s = Ge(e, Ge(fe(o, Math.min(i, 0)), fe(r, Math.min(u, 0))));
+  let s = Ge(e, Ge(fe(o, Math.min(i, 0)), fe(l, Math.min(u, 0))));
   [i, u] = [Math.abs(i), Math.abs(u)];
   let p = (g) => Math.max(1, Math.ceil(g / Xt(Math.max(i, u)))), c = zn(Un);
   zt(Un, "grid"), Gt("Lay a grid", {
@@ -144,7 +144,7 @@ function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
         name: `Area ${c + 1}`,
         corner: s,
         u: fe(o, i),
-        v: fe(r, u),
+        v: fe(l, u),
         normal: a,
         columns: p(i),
         rows: p(u),
@@ -155,12 +155,12 @@ function el(e, t, n = { lux: 500, uniformity: 0.6 }) {
 }
 var jn = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
 function tl(e, t) {
-  let n = Xn.peek(), a = Wt(t.normal, n), o = a > 0.7 ? Ge(t.point, fe(n, 1.2)) : Ge(t.point, fe(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? fe(n, -1) : t.normal, l = { position: o };
-  e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
+  let n = Xn.peek(), a = Wt(t.normal, n), o = a > 0.7 ? Ge(t.point, fe(n, 1.2)) : Ge(t.point, fe(t.normal, 0.15)), l = a > 0.7 || a < -0.7 ? fe(n, -1) : t.normal, r = { position: o };
+  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
   let i = Ke.all().filter(([, u]) => u.own).length;
   zt(Ke, "lamp"), Ut(`Add ${jn[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${jn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
+    lamp: { name: `${jn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: r }
   });
 }
 function lt(e, t, n) {
@@ -172,9 +172,9 @@ function Qn(e) {
 function rt(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = Ke.get(o)?.place, l = n.get(o);
-    if (!l) continue;
-    let i = Ge(l, t), u = r?.aim && zo(r.aim, i) > 1e-6 ? { direction: Kt(_t(r.aim, i)) } : {};
+    let l = Ke.get(o)?.place, r = n.get(o);
+    if (!r) continue;
+    let i = Ge(r, t), u = l?.aim && zo(l.aim, i) > 1e-6 ? { direction: Kt(_t(l.aim, i)) } : {};
     a[o] = { place: { position: i, ...u } };
   }
   return { lamps: a };
@@ -332,7 +332,7 @@ function Ul() {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Bl.value, o = en.value, r = Wl(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+  let [a] = Bl.value, o = en.value, l = Wl(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), i = (s) => {
     let p = s.currentTarget;
     if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
     else if (p.hasPointerCapture(s.pointerId)) {
@@ -350,7 +350,7 @@ function Ul() {
         ref: n,
         class: "before",
         "aria-hidden": "true",
-        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
+        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * r}% 0 0)` : "none" }
       }
     ),
     tn("span", { class: "tag left", children: "before" }),
@@ -416,7 +416,7 @@ function fa(e, t) {
   }, a = (m, b, k) => {
     let w = n("g", e, `handle ${m} ${pt[b] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = ve.map((m, b) => a("ring", b, `ring-${pt[b]}`)), l = ve.map((m, b) => a("plane", b, `plane-${pt[b]}`)), i = ve.map((m, b) => a("arrow", b, `move-${pt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (m, b) => {
+  }, o = n("path", e, "aim-line"), l = ve.map((m, b) => a("ring", b, `ring-${pt[b]}`)), r = ve.map((m, b) => a("plane", b, `plane-${pt[b]}`)), i = ve.map((m, b) => a("arrow", b, `move-${pt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (m, b) => {
     let [k, w, T] = ma(m.hole, b);
     return T < 0.02 && !m.hole.parallel ? null : [m.fit.x + k * m.fit.scale, m.fit.y + w * m.fit.scale];
   }, g = (m, b) => {
@@ -430,7 +430,7 @@ function fa(e, t) {
   }, v = (m, b) => m.forEach((k) => k.group.classList.toggle("gone", !b));
   function V(m, b) {
     let k = m.position, w = c(b, k), T = g(b, k), S = m.mode === "move";
-    v([...i, ...l, u], S && w !== null), v(r, !S && w !== null && m.turns);
+    v([...i, ...r, u], S && w !== null), v(l, !S && w !== null && m.turns);
     let j = m.aim ?? (m.direction ? te(k, ne(m.direction, 3 * T)) : null);
     if (v([s], j !== null && w !== null), !w) {
       o.setAttribute("d", "");
@@ -443,14 +443,14 @@ function fa(e, t) {
         d(i[U].hit, [Ot, R]), i[U].seen.setAttribute("d", `M${Ot[0].toFixed(1)} ${Ot[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ie - 4.5 * Oe).toFixed(1)} ${(R[1] - 9 * Oe + 4.5 * ie).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ie + 4.5 * Oe).toFixed(1)} ${(R[1] - 9 * Oe - 4.5 * ie).toFixed(1)}`);
       }
       let [He, Ne] = [ve[(U + 1) % 3], ve[(U + 2) % 3]], Z = Math.abs(ce(O, b.hole.parallel ? b.hole.forward : nn(Ce(k, b.hole.eye)))) < 0.15;
-      l[U].group.classList.toggle("gone", !S || Z);
+      r[U].group.classList.toggle("gone", !S || Z);
       let at = (be, De) => c(b, te(k, te(ne(He, be * T), ne(Ne, De * T)))), Bn = [at(0.3, 0.3), at(0.5, 0.3), at(0.5, 0.5), at(0.3, 0.5)];
-      if (d(l[U].hit, Bn, !0), d(l[U].seen, Bn, !0), !S) {
+      if (d(r[U].hit, Bn, !0), d(r[U].seen, Bn, !0), !S) {
         let be = Array.from({ length: ga + 1 }, (De, ot) => {
           let ie = 2 * Math.PI * ot / ga;
           return c(b, te(k, te(ne(He, Math.cos(ie) * T), ne(Ne, Math.sin(ie) * T))));
         });
-        d(r[U].hit, be), d(r[U].seen, be);
+        d(l[U].hit, be), d(l[U].seen, be);
       }
     }), f(u.hit, w, 13), f(u.seen, w, 7);
     let I = j && c(b, j);
@@ -491,7 +491,7 @@ function fa(e, t) {
         let O = ne(m, Nt(I - w, ha, S));
         return j.move(O), Dt(O);
       };
-    }), Fe(l[b].group, "move", () => Gn(m)), Fe(r[b].group, "turn", () => {
+    }), Fe(r[b].group, "move", () => Gn(m)), Fe(l[b].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
       return (T, S, j) => {
         let I = ba(k.position, m, T), O = I && nn(Ce(I, k.position), Xl(m));
@@ -525,8 +525,8 @@ function fa(e, t) {
   return { stop: B };
 }
 function tr(e, t, n) {
-  let a = Ce(e, n.origin), o = ce(t, n.direction), r = 1 - o * o;
-  return r < 1e-6 ? 0 : (o * ce(n.direction, a) - ce(t, a)) / r;
+  let a = Ce(e, n.origin), o = ce(t, n.direction), l = 1 - o * o;
+  return l < 1e-6 ? 0 : (o * ce(n.direction, a) - ce(t, a)) / l;
 }
 function ba(e, t, n) {
   let a = ce(t, n.direction);
@@ -537,12 +537,12 @@ function ba(e, t, n) {
 
 // src/later/handles.tsx
 import { jsx as Pr } from "./desk.js";
-function xr([e, t, n, a], [o, r, l, i]) {
+function xr([e, t, n, a], [o, l, r, i]) {
   return [
-    a * o + e * i + t * l - n * r,
-    a * r - e * l + t * i + n * o,
-    a * l + e * r - t * o + n * i,
-    a * i - e * o - t * r - n * l
+    a * o + e * i + t * r - n * l,
+    a * l - e * r + t * i + n * o,
+    a * r + e * l - t * o + n * i,
+    a * i - e * o - t * l - n * r
   ];
 }
 var Mr = () => !sr.value && mr.value !== "watch" && ar.value.you && vr.value !== "aim", wa = on(() => {
@@ -580,12 +580,12 @@ var Mr = () => !sr.value && mr.value !== "watch" && ar.value.you && vr.value !==
   target: Sr,
   view: Cr,
   hold(e) {
-    let t = wa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? fr(n) : n.length === 1 ? cr("thing", n[0]) : `${n.length} things`, r = new rr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? it(n) : new Map(n.map((s) => [s, xa(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? dt : mt).get(s)?.place])), u = (s) => {
+    let t = wa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? fr(n) : n.length === 1 ? cr("thing", n[0]) : `${n.length} things`, l = new rr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? it(n) : new Map(n.map((s) => [s, xa(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? dt : mt).get(s)?.place])), u = (s) => {
       let p = n.map((c) => [c, s(c)]).filter(([, c]) => c);
-      r.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
+      l.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
     };
     return {
-      move: (s) => a === "lamps" ? r.set(rt(n, s, l)) : u((p) => ({ position: va(l.get(p), s) })),
+      move: (s) => a === "lamps" ? l.set(rt(n, s, r)) : u((p) => ({ position: va(r.get(p), s) })),
       turn: (s, p) => u((c) => i.get(c)?.direction ? { direction: s, ...p ? { aim: p } : {} } : null),
       rotate: (s, p) => u((c) => {
         let g = i.get(c);
@@ -596,8 +596,8 @@ var Mr = () => !sr.value && mr.value !== "watch" && ar.value.you && vr.value !==
         let d = Math.sin(p / 2), f = [s[0] * d, s[1] * d, s[2] * d, Math.cos(p / 2)];
         return { rotation: xr(f, g?.rotation ?? [0, 0, 0, 1]) };
       }),
-      end: () => r.end(),
-      cancel: () => r.cancel()
+      end: () => l.end(),
+      cancel: () => l.cancel()
     };
   }
 };
@@ -648,7 +648,7 @@ function Ir(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
-function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
+function J({ label: e, names: t, quantity: n, value: a, set: o, step: l, disabled: r }) {
   let i = t ?? ["X", "Y", "Z"];
   return ht("div", { class: "line", role: "group", "aria-label": e, children: [
     ae("span", { children: e }),
@@ -659,15 +659,15 @@ function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disable
         quantity: n,
         value: a[s],
         text: Ir(a[s], n),
-        step: r,
-        disabled: l,
+        step: l,
+        disabled: r,
         set: (p) => o(s, p)
       },
       u
     )) })
   ] });
 }
-function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
+function $e({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r, class: i, style: u, disabled: s }) {
   let p = Ar(null), c = (d) => () => {
     p.current?.[d](), p.current = null;
   }, g = (d) => p.current ? p.current.set(o(d)) : Vr(e + t, t, o(d));
@@ -677,7 +677,7 @@ function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l
       label: e,
       value: n,
       text: a,
-      notch: l,
+      notch: r,
       class: i,
       gradient: u,
       disabled: s,
@@ -685,7 +685,7 @@ function $e({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l
       on: g,
       end: c("end"),
       cancel: c("cancel"),
-      reset: r === void 0 ? void 0 : () => g(r)
+      reset: l === void 0 ? void 0 : () => g(l)
     }
   );
 }
@@ -717,8 +717,8 @@ function Pa() {
   let e = La.value?.ids[0], t = qr.get(e);
   if (!t) return L("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
-    let { lux: r, ...l } = { ...t, ...o };
-    gt(`${t.name}: ${a}`, { meters: { [e]: l } });
+    let { lux: l, ...r } = { ...t, ...o };
+    gt(`${t.name}: ${a}`, { meters: { [e]: r } });
   };
   return _(rn, { children: [
     L("header", { class: "panel-head", children: L(Le, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
@@ -750,10 +750,10 @@ function Ta() {
   }, o = () => {
     let i = Xt(Math.max(Te(t.u), Te(t.v)));
     a("standard spacing", { columns: Math.max(1, Math.ceil(Te(t.u) / i)), rows: Math.max(1, Math.ceil(Te(t.v) / i)) });
-  }, r = (i, u, s) => _(rn, { children: [
+  }, l = (i, u, s) => _(rn, { children: [
     L("dt", { children: i }),
     L("dd", { children: u == null ? "…" : s(u) })
-  ] }), l = t.target ?? { lux: 500, uniformity: 0.6 };
+  ] }), r = t.target ?? { lux: 500, uniformity: 0.6 };
   return _(rn, { children: [
     L("header", { class: "panel-head", children: L(Le, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
     _("p", { class: "crumbs", children: [
@@ -766,12 +766,12 @@ function Ta() {
     ] }),
     _("div", { class: "scroll", children: [
       L(q, { title: "Figures", note: n === 1 ? "new" : `× ${Pe(n, 2)}`, children: _("dl", { class: "figures", children: [
-        r("Ē", t.mean, (i) => Ee(i * n)),
-        r("E min", t.min, (i) => Ee(i * n)),
-        r("E max", t.max, (i) => Ee(i * n)),
-        r("U₀ = min / mean", t.uniformity, (i) => Pe(i, 2)),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Pe(i, 2)),
-        r("± of Ē", t.error, (i) => Ee(i * n))
+        l("Ē", t.mean, (i) => Ee(i * n)),
+        l("E min", t.min, (i) => Ee(i * n)),
+        l("E max", t.max, (i) => Ee(i * n)),
+        l("U₀ = min / mean", t.uniformity, (i) => Pe(i, 2)),
+        l("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Pe(i, 2)),
+        l("± of Ē", t.error, (i) => Ee(i * n))
       ] }) }),
       _(q, { title: "Target", children: [
         _("label", { class: "line", children: [
@@ -791,8 +791,8 @@ function Ta() {
             L("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        L(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
-        L(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
+        L(A, { label: "Ē at least", quantity: "lux", step: 50, value: r.lux, set: (i) => a("target", { target: { ...r, lux: i(r.lux) } }) }),
+        L(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: r.uniformity, set: (i) => a("target", { target: { ...r, uniformity: i(r.uniformity) } }) })
       ] }),
       _(q, { title: "Area", children: [
         L(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: oe(t.corner, i, u) }) }),
@@ -868,16 +868,16 @@ function Nr(e, t) {
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
     -0.969266 * n + 1.8760108 + 0.041556 * a,
     0.0556434 * n - 0.2040259 + 1.0572252 * a
-  ].map((r) => Math.max(0, r));
+  ].map((l) => Math.max(0, l));
 }
 function Dr(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
 function Ea(e, t, n = 9) {
-  return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = sn(e) + (sn(t) - sn(e)) * r / (n - 1);
-    return Hr(Nr(...Dr(1e6 / l)));
+  return `linear-gradient(to right, ${Array.from({ length: n }, (o, l) => {
+    let r = sn(e) + (sn(t) - sn(e)) * l / (n - 1);
+    return Hr(Nr(...Dr(1e6 / r)));
   }).join(", ")})`;
 }
 
@@ -890,13 +890,13 @@ var ze = 1800, pn = 1e4, Ur = [[2200, "candle"], [2700, "warm"], [3e3, "warm whi
   return Math.round(t / 10) * 10;
 }, Xr = (e) => (ye(e) - ye(ze)) / (ye(pn) - ye(ze));
 function Ia() {
-  let e = Or.value, t = e.map((l) => Aa.get(l)?.color).filter((l) => l !== void 0);
+  let e = Or.value, t = e.map((r) => Aa.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = G(t.map((l) => l.mode)), a = t[0], o = Br(e), r = (l, i) => Wr(`${o}: ${l}`, un(e, i));
+  let n = G(t.map((r) => r.mode)), a = t[0], o = Br(e), l = (r, i) => Wr(`${o}: ${r}`, un(e, i));
   return pe(cn, { children: [
     pe("div", { class: "line", children: [
       N("span", { children: "Colour" }),
-      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: _r.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
+      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: _r.map(([r, i]) => N("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${i}`, () => ({ mode: r })), children: i }, r)) })
     ] }),
     n === "kelvin" && pe(cn, { children: [
       pe("div", { class: "line slide", children: [
@@ -910,7 +910,7 @@ function Ia() {
             style: jr,
             value: Xr(a.kelvin),
             text: `${Va(a.kelvin)} kelvin`,
-            patch: (l) => un(e, () => ({ mode: "kelvin", kelvin: zr(l) }))
+            patch: (r) => un(e, () => ({ mode: "kelvin", kelvin: zr(r) }))
           }
         )
       ] }),
@@ -920,12 +920,12 @@ function Ia() {
           label: "",
           name: "Colour temperature, typed",
           quantity: "kelvin",
-          value: G(t.map((l) => l.kelvin)),
+          value: G(t.map((r) => r.kelvin)),
           step: 50,
-          set: (l) => r("white", (i) => ({ mode: "kelvin", kelvin: l(i.kelvin) }))
+          set: (r) => l("white", (i) => ({ mode: "kelvin", kelvin: r(i.kelvin) }))
         }
       ),
-      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Ur.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
+      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Ur.map(([r, i]) => N("button", { title: i, "aria-label": `${r} kelvin, ${i}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
       pe("div", { class: "line slide", children: [
         N("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         N(
@@ -938,16 +938,16 @@ function Ia() {
             text: `${Va(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => un(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (r) => un(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, l(i.tint))) })) })
+      N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (i) => ({ tint: Math.max(-50, Math.min(50, r(i.tint))) })) })
     ] }),
     n === "rgb" && pe(cn, { children: [
       pe("label", { class: "line", children: [
         N("span", { children: "Colour" }),
-        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: Kr(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: Gr(l.currentTarget.value) })) })
+        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: Kr(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: Gr(r.currentTarget.value) })) })
       ] }),
       N(
         J,
@@ -957,22 +957,22 @@ function Ia() {
           quantity: "number",
           step: 0.01,
           value: a.rgb,
-          set: (l, i) => r("colour", (u) => ({ rgb: u.rgb.map((s, p) => p === l ? Math.max(0, i(s)) : s) }))
+          set: (r, i) => l("colour", (u) => ({ rgb: u.rgb.map((s, p) => p === r ? Math.max(0, i(s)) : s) }))
         }
       )
     ] }),
     n === "xy" && pe("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
       N("span", { children: "x, y" }),
-      N("span", { class: "triple", children: [0, 1].map((l) => N(
+      N("span", { class: "triple", children: [0, 1].map((r) => N(
         A,
         {
-          label: "xy"[l],
+          label: "xy"[r],
           quantity: "number",
           step: 1e-3,
-          value: G(t.map((i) => i.xy[l])),
-          set: (i) => r("chromaticity", (u) => ({ xy: u.xy.map((s, p) => p === l ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
+          value: G(t.map((i) => i.xy[r])),
+          set: (i) => l("chromaticity", (u) => ({ xy: u.xy.map((s, p) => p === r ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
         },
-        l
+        r
       )) })
     ] }),
     n === null && N("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
@@ -987,8 +987,8 @@ function Da(e, t) {
   return [Math.atan2(dn(e, n), dn(e, a)) * wt, Math.asin(Math.max(-1, Math.min(1, o))) * wt];
 }
 function si(e, t, n) {
-  let { right: a, ahead: o } = Ba(n), [r, l] = [e / wt, t / wt], i = kt(Ie(a, Math.sin(r)), Ie(o, Math.cos(r)));
-  return Wa(kt(Ie(i, Math.cos(l)), Ie(n, -Math.sin(l))));
+  let { right: a, ahead: o } = Ba(n), [l, r] = [e / wt, t / wt], i = kt(Ie(a, Math.sin(l)), Ie(o, Math.cos(l)));
+  return Wa(kt(Ie(i, Math.cos(r)), Ie(n, -Math.sin(r))));
 }
 function ui({ ids: e, all: t }) {
   let n = t.some((a) => a.place?.direction);
@@ -1006,11 +1006,11 @@ function ui({ ids: e, all: t }) {
   ] });
 }
 function ci({ ids: e, all: t }) {
-  let n = G(t.map((l) => l.level)), a = t.reduce((l, i) => l + i.flux * Ga(i), 0), o = t.every((l) => l.free), r = e[e.length - 1];
+  let n = G(t.map((r) => r.level)), a = t.reduce((r, i) => r + i.flux * Ga(i), 0), o = t.every((r) => r.free), l = e[e.length - 1];
   return D(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
     D("div", { class: "line slide", children: [
       y("span", { children: "Level" }),
-      y(pi, { id: r })
+      y(pi, { id: l })
     ] }),
     D("label", { class: "line", children: [
       y("span", {}),
@@ -1020,9 +1020,9 @@ function ci({ ids: e, all: t }) {
           label: "Level of the selection",
           quantity: "level",
           value: n,
-          flux: G(t.map((l) => l.flux)) ?? void 0,
+          flux: G(t.map((r) => r.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => hn(e, l),
+          set: (r) => hn(e, r),
           open: Ha.value,
           opened: () => Ha.value = "",
           id: "level"
@@ -1035,12 +1035,12 @@ function ci({ ids: e, all: t }) {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => hn(e, (i, u) => l(i * u) / u)
+        set: (r) => hn(e, (i, u) => r(i * u) / u)
       }
     ),
     D("div", { class: "line", children: [
       y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: ii.map(([l, i]) => y("button", { "aria-label": `${i} stop`, onClick: () => hn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
+      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: ii.map(([r, i]) => y("button", { "aria-label": `${i} stop`, onClick: () => hn(e, (u) => Math.min(1e3, u * 2 ** r)), children: i }, i)) })
     ] }),
     D("p", { class: "sum", children: [
       Oa(a, "flux"),
@@ -1054,8 +1054,8 @@ function ci({ ids: e, all: t }) {
 function pi({ id: e }) {
   let t = ri(null), n = bn.get(e);
   if (!n) return null;
-  let a = { kind: "lamp", id: e }, o = (r) => () => {
-    t.current?.[r](), t.current = null;
+  let a = { kind: "lamp", id: e }, o = (l) => () => {
+    t.current?.[l](), t.current = null;
   };
   return y(
     li,
@@ -1064,7 +1064,7 @@ function pi({ id: e }) {
       value: ei(n.level),
       text: `${gn(n.level)} %, ${Oa(n.flux * Ga(n), "flux")}`,
       begin: () => t.current = new ni(a),
-      on: (r) => t.current ? t.current.to(Fa(r)) : Na(a, Fa(r)),
+      on: (l) => t.current ? t.current.to(Fa(l)) : Na(a, Fa(l)),
       end: o("end"),
       cancel: o("cancel"),
       reset: () => Na(a, 1)
@@ -1074,29 +1074,29 @@ function pi({ id: e }) {
 function Xe(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = bn.get(o), l = n(r.place ?? {}, r);
-    l && (a[o] = { place: l });
+    let l = bn.get(o), r = n(l.place ?? {}, l);
+    r && (a[o] = { place: r });
   }
   Object.keys(a).length && vt(`${fn(e)}: ${t}`, { lamps: a });
 }
 function di({ ids: e, all: t }) {
-  let n = (o) => G(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
+  let n = (o) => G(t.map((l) => l.place?.[o] ?? null)), a = (o) => t.some((l) => l.place?.[o] != null);
   return !a("outer") && !a("radius") ? null : D(q, { title: "Beam", note: "re-trace", children: [
     a("outer") && D(vn, { children: [
-      y(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Xe(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      y(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Xe(e, "beam", (r) => {
-        if (r.outer == null) return null;
-        let l = Math.max(0.2, Math.min(179, o(r.outer)));
-        return { outer: l, inner: Math.min(r.inner ?? l, l) };
+      y(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Xe(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
+      y(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Xe(e, "beam", (l) => {
+        if (l.outer == null) return null;
+        let r = Math.max(0.2, Math.min(179, o(l.outer)));
+        return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    a("radius") && y(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Xe(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    a("radius") && y(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Xe(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
   ] });
 }
 function mi({ ids: e, all: t }) {
   let n = t.filter((c) => Ra(c) !== null);
   if (!n.length) return null;
-  let a = n.map((c) => Ra(c)), o = (c, g) => G(g.map((d) => Math.round(d[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), l = ti.value, i = r.map((c) => Da(c.place?.direction, l).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
+  let a = n.map((c) => Ra(c)), o = (c, g) => G(g.map((d) => Math.round(d[c] * 1e4) / 1e4)), l = t.filter((c) => c.place?.direction), r = ti.value, i = l.map((c) => Da(c.place?.direction, r).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
     let d = it(e), f = {};
     for (let [v, V] of d) {
       let B = [0, 0, 0];
@@ -1105,14 +1105,14 @@ function mi({ ids: e, all: t }) {
     vt(`Move ${fn(e)}`, { lamps: f });
   }, p = (c, g) => Xe(e, c ? "tilt" : "pan", (d) => {
     if (!d.direction) return null;
-    let f = Da(d.direction, l);
+    let f = Da(d.direction, r);
     f[c] = g(f[c]);
-    let v = si(f[0], Math.max(-90, Math.min(90, f[1])), l), V = d.aim && d.position ? oi(qa(d.aim, d.position)) : 0;
+    let v = si(f[0], Math.max(-90, Math.min(90, f[1])), r), V = d.aim && d.position ? oi(qa(d.aim, d.position)) : 0;
     return { direction: v, ...V && d.position ? { aim: kt(d.position, Ie(v, V)) } : {} };
   });
   return D(q, { title: "Place", note: "re-trace", children: [
     y(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: s }),
-    r.length > 0 && D(vn, { children: [
+    l.length > 0 && D(vn, { children: [
       y(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((c) => c[0])), set: (c) => p(0, c) }),
       y(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((c) => c[1])), set: (c) => p(1, c) }),
       y(
@@ -1137,7 +1137,7 @@ function mi({ ids: e, all: t }) {
         y("button", { "aria-pressed": bt.value === "turn", onClick: () => bt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    r.length > 0 && Zr.value && y("button", { class: "plain full", onClick: () => ke("aim-here"), children: "Aim at the last point" })
+    l.length > 0 && Zr.value && y("button", { class: "plain full", onClick: () => ke("aim-here"), children: "Aim at the last point" })
   ] });
 }
 function hi({ ids: e, all: t }) {
@@ -1151,15 +1151,15 @@ function hi({ ids: e, all: t }) {
   ] });
 }
 function Ua() {
-  let e = Qr.value, t = e.map((l) => bn.get(l)).filter((l) => !!l);
+  let e = Qr.value, t = e.map((r) => bn.get(r)).filter((r) => !!r);
   if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && yt.get(n.group), o = mn.value?.kind === "group" ? yt.get(mn.value.ids[0]) : void 0, r = n?.layer != null ? Yr.value[n.layer] : void 0;
+  let n = t.length === 1 ? t[0] : null, a = n && yt.get(n.group), o = mn.value?.kind === "group" ? yt.get(mn.value.ids[0]) : void 0, l = n?.layer != null ? Yr.value[n.layer] : void 0;
   return D(vn, { children: [
-    y("header", { class: "panel-head", children: n ? y(Le, { label: "Name of the lamp", value: n.name, set: (l) => vt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? y(Le, { label: "Name of the group", value: o.name, set: (l) => vt(`Rename ${o.name}`, { groups: { [mn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
+    y("header", { class: "panel-head", children: n ? y(Le, { label: "Name of the lamp", value: n.name, set: (r) => vt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: r } } }) }) : o ? y(Le, { label: "Name of the group", value: o.name, set: (r) => vt(`Rename ${o.name}`, { groups: { [mn.value.ids[0]]: { name: r } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
+    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${l ? ` ▸ ${l.name}` : ""}` : `${t.filter((r) => r.on).length} of ${t.length} on` }),
     D("div", { class: "scroll", children: [
       y(ui, { ids: e, all: t }),
       y(ci, { ids: e, all: t }),
@@ -1167,7 +1167,7 @@ function Ua() {
       y(di, { ids: e, all: t }),
       y(mi, { ids: e, all: t }),
       y(hi, { ids: e, all: t }),
-      y("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+      y("p", { class: "cost", children: t.every((r) => r.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
@@ -1357,7 +1357,7 @@ function Ti(e, t) {
 function po() {
   let e = (co.value?.ids ?? []).filter((u) => wn.get(u)), t = e.map((u) => wn.get(u));
   if (!t.length) return C("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => io(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), l = t.map((u) => u.place?.position ?? (u.box ? lo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), l = (u, s) => io(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), r = t.map((u) => u.place?.position ?? (u.box ? lo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
   return z(Mn, { children: [
     C("header", { class: "panel-head", children: C("h2", { children: a }) }),
     i && z("p", { class: "crumbs", children: [
@@ -1366,11 +1366,11 @@ function po() {
     ] }),
     z("div", { class: "scroll", children: [
       z("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+        z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
           C(oo, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        z("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
+        z("button", { "aria-pressed": o, onClick: () => l(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
           C(oo, { name: o ? "lock" : "unlock" }),
           o ? "Locked" : "Lock"
         ] })
@@ -1384,8 +1384,8 @@ function po() {
             quantity: "length",
             step: 0.01,
             disabled: o,
-            value: [0, 1, 2].map((u) => G(l.map((s) => Math.round(s[u] * 1e4) / 1e4))),
-            set: (u, s) => r("move", (p) => ({ place: { position: oe(p.place?.position ?? lo(p.box), u, s) } }))
+            value: [0, 1, 2].map((u) => G(r.map((s) => Math.round(s[u] * 1e4) / 1e4))),
+            set: (u, s) => l("move", (p) => ({ place: { position: oe(p.place?.position ?? lo(p.box), u, s) } }))
           }
         ),
         [0, 1, 2].map((u) => C(
@@ -1396,7 +1396,7 @@ function po() {
             step: 5,
             disabled: o,
             value: G(t.map((s) => Math.round(ro(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (p) => ({ place: { rotation: Ti(u, s(ro(p.place?.rotation, u))) } }))
+            set: (s) => l("turn", (p) => ({ place: { rotation: Ti(u, s(ro(p.place?.rotation, u))) } }))
           },
           u
         )),
@@ -1408,7 +1408,7 @@ function po() {
             step: 0.05,
             disabled: o,
             value: G(t.map((u) => u.place?.scale ?? 1)),
-            set: (u) => r("scale", (s) => ({ place: { scale: Math.max(1e-3, u(s.place?.scale ?? 1)) } }))
+            set: (u) => l("scale", (s) => ({ place: { scale: Math.max(1e-3, u(s.place?.scale ?? 1)) } }))
           }
         )
       ] }),
@@ -1419,7 +1419,7 @@ function po() {
 function mo() {
   let e = co.value?.ids[0], t = so.get(e);
   if (!t) return C("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => io(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, l > 1e-4 ? p / l * s : s))), u = (s, p) => t[p] != null && z(Mn, { children: [
+  let n = (s, p) => io(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, r > 1e-4 ? p / r * s : s))), u = (s, p) => t[p] != null && z(Mn, { children: [
     z("div", { class: "line slide", children: [
       C("span", { children: s }),
       C($e, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: kn(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
@@ -1433,9 +1433,9 @@ function mo() {
       z(q, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
         z("div", { class: "line slide", children: [
           C("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          C($e, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: kn(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+          C($e, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: kn(r, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
-        C(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
+        C(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(r))) }) }),
         z("label", { class: "line", children: [
           C("span", { children: "Colour" }),
           C("input", { type: "color", class: "pick", "aria-label": "Colour", value: Pi(o), onChange: (s) => n("colour", { [a]: Li(s.currentTarget.value) }) })
@@ -1489,14 +1489,14 @@ var $n = [1, 2, 5];
 function Gi(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * ($n.find((i) => i * r >= o) ?? 10);
-    for (let i = Math.ceil(e / l) * l; i <= t * 1.0001; i += l) a.push(i);
+    let o = (t - e) / 5, l = 10 ** Math.floor(Math.log10(o)), r = l * ($n.find((i) => i * l >= o) ?? 10);
+    for (let i = Math.ceil(e / r) * r; i <= t * 1.0001; i += r) a.push(i);
     return a;
   }
   for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of $n) {
-      let l = r * 10 ** o;
-      l >= e * 0.999 && l <= t * 1.001 && a.push(l);
+    for (let l of $n) {
+      let r = l * 10 ** o;
+      r >= e * 0.999 && r <= t * 1.001 && a.push(r);
     }
   return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
 }
@@ -1514,7 +1514,7 @@ function bo(e, t) {
 function Bi() {
   let e = Hi.value.false_color, t = Wi(null);
   if (!e) return null;
-  let n = Fi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? Gi(e.low, e.high, e.scale).map((p) => [p, Ki(p, e)]), u = (p) => ({
+  let n = Fi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", l = n ? a ? 1 / 10.7639 : 0.2919 : 1, r = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? Gi(e.low, e.high, e.scale).map((p) => [p, Ki(p, e)]), u = (p) => ({
     onPointerDown: (c) => {
       c.currentTarget.setPointerCapture(c.pointerId), t.current = { y: c.clientY, end: p, from: e[p] };
     },
@@ -1539,7 +1539,7 @@ function Bi() {
         "aria-valuenow": e[p],
         "aria-valuemin": 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${Oi(e[p] * r)} ${o}`,
+        "aria-valuetext": `${Oi(e[p] * l)} ${o}`,
         ...u(p)
       }
     ),
@@ -1548,8 +1548,8 @@ function Bi() {
       {
         label: p === "low" ? "Lower end" : "Upper end",
         quantity: "number",
-        value: Number((e[p] * r).toPrecision(3)),
-        set: (c) => le(e, { [p]: c(e[p] * r) / r })
+        value: Number((e[p] * l).toPrecision(3)),
+        set: (c) => le(e, { [p]: c(e[p] * l) / l })
       }
     )
   ] });
@@ -1567,7 +1567,7 @@ function Bi() {
       X("button", { "aria-pressed": e.lines, onClick: () => le(e, { lines: !e.lines }), children: "lines" })
     ] }),
     X(s, { end: "high" }),
-    X("div", { class: "scale", style: { background: l }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
+    X("div", { class: "scale", style: { background: r }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * l).toPrecision(2))) }, p)) }),
     X(s, { end: "low" }),
     Pt("footer", { children: [
       X("button", { onClick: () => le(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
@@ -1623,9 +1623,9 @@ function Xi() {
   for (let [, n] of Ui.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
-    for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
-    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = fo(n.corner, fo(vo(n.u, (l + 0.5) / n.columns), vo(n.v, (i + 0.5) / n.rows)));
+    for (let [o, l] of Object.entries(a)) t.push([o, l == null ? null : l * e]);
+    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, l) => {
+      let [r, i] = [l % n.columns, Math.floor(l / n.columns)], u = fo(n.corner, fo(vo(n.u, (r + 0.5) / n.columns), vo(n.v, (i + 0.5) / n.rows)));
       t.push([...u.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
@@ -1650,25 +1650,25 @@ var wo = (e, t) => e && t ? Tt[Pn[e] + Pn[t]] : 0;
 function Qi(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
-    let r = new Array(n.length + 1).fill(0);
-    n.forEach((l, i) => {
-      r[i] ^= l, r[i + 1] ^= wo(l, Tt[o]);
-    }), n = r;
+    let l = new Array(n.length + 1).fill(0);
+    n.forEach((r, i) => {
+      l[i] ^= r, l[i + 1] ^= wo(r, Tt[o]);
+    }), n = l;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let o = 0; o < e.length; o++) {
-    let r = a[o];
-    r && n.forEach((l, i) => a[o + i] ^= wo(l, r));
+    let l = a[o];
+    l && n.forEach((r, i) => a[o + i] ^= wo(r, l));
   }
   return a.slice(e.length);
 }
 function Yi(e, t) {
-  let [n, a, o] = Mo[t - 1], r = [], l = (g, d) => {
-    for (let f = d - 1; f >= 0; f--) r.push(g >> f & 1);
+  let [n, a, o] = Mo[t - 1], l = [], r = (g, d) => {
+    for (let f = d - 1; f >= 0; f--) l.push(g >> f & 1);
   };
-  for (l(4, 4), l(e.length, 8), e.forEach((g) => l(g, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
+  for (r(4, 4), r(e.length, 8), e.forEach((g) => r(g, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
   let i = [];
-  for (let g = 0; g < r.length; g += 8) i.push(parseInt(r.slice(g, g + 8).join(""), 2));
+  for (let g = 0; g < l.length; g += 8) i.push(parseInt(l.slice(g, g + 8).join(""), 2));
   for (let g = 236; i.length < n; g ^= 253) i.push(g);
   let u = n / o, s = Array.from({ length: o }, (g, d) => i.slice(d * u, (d + 1) * u)), p = s.map((g) => Qi(g, a)), c = (g) => g[0].flatMap((d, f) => g.map((v) => v[f]));
   return [...c(s), ...c(p)];
@@ -1691,46 +1691,46 @@ function Ji(e) {
 function xo(e) {
   let t = e.length, n = 0, a = 0;
   for (let o of [!1, !0])
-    for (let r = 0; r < t; r++) {
-      let l = Array.from({ length: t }, (s, p) => o ? e[p][r] : e[r][p]), i = 1;
+    for (let l = 0; l < t; l++) {
+      let r = Array.from({ length: t }, (s, p) => o ? e[p][l] : e[l][p]), i = 1;
       for (let s = 1; s <= t; s++)
-        s < t && l[s] === l[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
-      let u = l.map(Number).join("");
+        s < t && r[s] === r[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
+      let u = r.map(Number).join("");
       for (let s = 0; s + 11 <= t; s++) {
         let p = u.slice(s, s + 11);
         (p === "10111010000" || p === "00001011101") && (n += 40);
       }
     }
   for (let o = 0; o < t; o++)
-    for (let r = 0; r < t; r++)
-      e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
+    for (let l = 0; l < t; l++)
+      e[o][l] && a++, l && o && e[o][l] === e[o - 1][l] && e[o][l] === e[o][l - 1] && e[o][l] === e[o - 1][l - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
 function So(e) {
   let t = [...new TextEncoder().encode(e)], n = Mo.findIndex(([d]) => t.length + 2 <= d) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (d, f, v) => {
-    d < 0 || f < 0 || d >= a || f >= a || (o[f][d] = v, r[f][d] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = (d, f, v) => {
+    d < 0 || f < 0 || d >= a || f >= a || (o[f][d] = v, l[f][d] = !0);
   };
   for (let d = 0; d < a; d++)
-    l(d, 6, d % 2 === 0), l(6, d, d % 2 === 0);
+    r(d, 6, d % 2 === 0), r(6, d, d % 2 === 0);
   for (let [d, f] of [[3, 3], [a - 4, 3], [3, a - 4]])
     for (let v = -4; v <= 4; v++)
       for (let V = -4; V <= 4; V++) {
         let B = Math.max(Math.abs(V), Math.abs(v));
-        l(d + V, f + v, B !== 2 && B !== 4);
+        r(d + V, f + v, B !== 2 && B !== 4);
       }
   if (n > 1) {
     let d = a - 7;
-    for (let f = -2; f <= 2; f++) for (let v = -2; v <= 2; v++) l(d + v, d + f, Math.max(Math.abs(v), Math.abs(f)) !== 1);
+    for (let f = -2; f <= 2; f++) for (let v = -2; v <= 2; v++) r(d + v, d + f, Math.max(Math.abs(v), Math.abs(f)) !== 1);
   }
   let i = (d) => {
     let f = Ji(d);
     for (let v = 0; v < 15; v++) {
       let V = (f >> v & 1) === 1, B = v < 6 ? v : v < 8 ? v + 1 : a - 15 + v;
-      l(8, B, V), l(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, V);
+      r(8, B, V), r(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, V);
     }
-    l(8, a - 8, !0);
+    r(8, a - 8, !0);
   };
   i(0);
   let u = Yi(t, n), s = 0;
@@ -1739,10 +1739,10 @@ function So(e) {
     for (let f = 0; f < a; f++)
       for (let v of [d, d - 1]) {
         let B = (d + 1 & 2) === 0 ? a - 1 - f : f;
-        r[B][v] || (o[B][v] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+        l[B][v] || (o[B][v] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
       }
   }
-  let p = (d) => (i(d), o.map((f, v) => f.map((V, B) => V !== (!r[v][B] && Zi[d](B, v))))), c = p(0), g = xo(c);
+  let p = (d) => (i(d), o.map((f, v) => f.map((V, B) => V !== (!l[v][B] && Zi[d](B, v))))), c = p(0), g = xo(c);
   for (let d = 1; d < 8; d++) {
     let f = p(d), v = xo(f);
     v < g && ([c, g] = [f, v]);
@@ -1755,8 +1755,8 @@ import { Fragment as ws, jsx as h, jsxs as $ } from "./desk.js";
 function et({ title: e, wide: t, children: n }) {
   let a = At(null);
   us(() => {
-    let r = a.current, l = document.activeElement;
-    return r.open || r.showModal(), () => l?.focus();
+    let l = a.current, r = document.activeElement;
+    return l.open || l.showModal(), () => r?.focus();
   }, []);
   let o = () => Ze.value = null;
   return h(
@@ -1766,7 +1766,7 @@ function et({ title: e, wide: t, children: n }) {
       class: t ? "sheet wide-sheet" : "sheet",
       "aria-label": e,
       onClose: o,
-      onClick: (r) => r.target === a.current && o(),
+      onClick: (l) => l.target === a.current && o(),
       children: $("div", { class: "sheet-body", children: [
         $("header", { children: [
           h("h2", { children: e }),
@@ -1907,7 +1907,7 @@ ls("links", (e) => $o.value = e.links);
 function bs({ text: e }) {
   let t = So(e);
   if (!t) return null;
-  let n = t.length + 8, a = t.map((o, r) => o.map((l, i) => l ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
+  let n = t.length + 8, a = t.map((o, l) => o.map((r, i) => r ? `M${i + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
   return $("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
     h("rect", { width: n, height: n, fill: "#fff" }),
     h("path", { d: a, fill: "#000" })
@@ -1956,11 +1956,11 @@ var re = Je(null);
 function ys() {
   let e = ss.value?.head, t = At(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
     re.value = 0;
-    let [o, r] = [Number(n("width")), Number(n("height"))];
-    es("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.url ? (re.value = null, Ln(l.name, l.url), Ze.value = null) : re.value = l.progress ?? 0;
-    }, (l) => {
-      re.value = null, Vn(l, "warn");
+    let [o, l] = [Number(n("width")), Number(n("height"))];
+    es("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
+      r.url ? (re.value = null, Ln(r.name, r.url), Ze.value = null) : re.value = r.progress ?? 0;
+    }, (r) => {
+      re.value = null, Vn(r, "warn");
     });
   };
   return $(et, { title: "Save the picture", children: [
@@ -2041,16 +2041,16 @@ function qs() {
   ] });
 }
 function Fs({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? Po.get(e.id) : void 0, o = e.kind === "group" ? $s.get(e.id) : void 0, r = a ?? o;
-  if (!r) return null;
-  let l = Eo.value?.kind === e.kind && Eo.value.ids.includes(e.id), i = a ? a.flux * To(a) : (o?.lamps ?? []).reduce((p, c) => {
+  let a = e.kind === "lamp" ? Po.get(e.id) : void 0, o = e.kind === "group" ? $s.get(e.id) : void 0, l = a ?? o;
+  if (!l) return null;
+  let r = Eo.value?.kind === e.kind && Eo.value.ids.includes(e.id), i = a ? a.flux * To(a) : (o?.lamps ?? []).reduce((p, c) => {
     let g = Po.get(c);
     return p + (g ? g.flux * To(g) : 0);
   }, 0), u = Ps.value, s = It.value?.kind === e.kind && It.value.id === e.id;
   return An(
     "div",
     {
-      class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${s ? "under" : ""}`,
+      class: `sheet-row depth-${e.depth} ${e.kind} ${r ? "selected" : ""} ${l.on ? "" : "off"} ${s ? "under" : ""}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
@@ -2058,14 +2058,14 @@ function Fs({ row: e, index: t, count: n }) {
       onPointerEnter: () => It.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => It.value = null,
       children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Vs(e, !r.on), children: Y(Ls, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ms(a) : void 0, onClick: (p) => Ts(p, e.kind, e.id), onDblClick: () => xs("frame"), children: Y("span", { children: r.name }) }),
+        Y("button", { class: "icon power", "aria-pressed": l.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${l.name} on`, onClick: () => Vs(e, !l.on), children: Y(Ls, { name: "power" }) }),
+        Y("button", { class: "row-name", "aria-pressed": r, title: a ? Ms(a) : void 0, onClick: (p) => Ts(p, e.kind, e.id), onDblClick: () => xs("frame"), children: Y("span", { children: l.name }) }),
         Y(
           Cs,
           {
-            label: `${r.name} level`,
+            label: `${l.name} level`,
             quantity: "level",
-            value: r.level,
+            value: l.level,
             flux: a?.flux,
             step: 0.01,
             disabled: u !== null,
@@ -2074,7 +2074,7 @@ function Fs({ row: e, index: t, count: n }) {
           }
         ),
         Y("span", { class: "lumens", children: As(i) }),
-        a ? An("button", { class: "tint", "aria-label": `${r.name} colour: ${Lo(a)}`, onClick: () => Es("lamp", e.id), children: [
+        a ? An("button", { class: "tint", "aria-label": `${l.name} colour: ${Lo(a)}`, onClick: () => Es("lamp", e.id), children: [
           Y("i", { class: "swatch", style: { background: Ss(a.swatch) } }),
           Lo(a)
         ] }) : Y("span", {})
@@ -2132,19 +2132,19 @@ function Gs({ id: e, name: t }) {
   let n = `look-${e}`, a = (i) => {
     let u = i.getBoundingClientRect(), s = document.getElementById(n);
     s?.style.setProperty("left", `${Math.min(u.left, innerWidth - 296)}px`), s?.style.setProperty("bottom", `${innerHeight - u.top + 4}px`), s?.style.setProperty("top", "auto");
-  }, o = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), l = (i, u = {}) => {
-    r(), Fo({ do: "look", id: e, what: i, ...u });
+  }, o = { popovertarget: n }, l = () => document.getElementById(n)?.hidePopover(), r = (i, u = {}) => {
+    l(), Fo({ do: "look", id: e, what: i, ...u });
   };
   return H(Us, { children: [
     x("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: x(qe, { name: "more" }) }),
     H("div", { id: n, popover: "auto", class: "menu", children: [
       H("label", { class: "line", children: [
         x("span", { children: "Name" }),
-        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => l("rename", { name: i.currentTarget.value }) }) })
+        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => r("rename", { name: i.currentTarget.value }) }) })
       ] }),
-      x("button", { class: "item", onClick: () => l("update"), children: x("span", { children: "Update to what is set now" }) }),
-      x("button", { class: "item", onClick: () => l("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
-      x("button", { class: "item", onClick: () => l("remove"), children: x("span", { children: "Remove" }) })
+      x("button", { class: "item", onClick: () => r("update"), children: x("span", { children: "Update to what is set now" }) }),
+      x("button", { class: "item", onClick: () => r("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
+      x("button", { class: "item", onClick: () => r("remove"), children: x("span", { children: "Remove" }) })
     ] })
   ] });
 }
@@ -2180,15 +2180,15 @@ function Ks() {
         ] }) }, `m${t}`);
       }),
       Vo.all().map(([t, n]) => {
-        let a = n.target, o = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
+        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.02 * n.mean || qo(), l = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
         return x("li", { children: H("button", { class: "reading", "aria-pressed": qt.value?.kind === "grid" && qt.value.ids.includes(t), onClick: () => Ro("grid", t), children: [
           H("span", { class: "tint", children: [
             x(qe, { name: "grid" }),
             n.name,
             " ",
-            a && n.mean != null && x("b", { class: o ? "met" : "missed", children: o ? "✓" : "✗" })
+            a && n.mean != null && x("b", { class: l ? "met" : "missed", children: l ? "✓" : "✗" })
           ] }),
-          x("strong", { class: qo() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${me(n.mean * e)}${n.error == null ? "" : ` ±${me(n.error * e, !1)}`}` }),
+          x("strong", { class: o ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${me(n.mean * e)}${n.error == null ? "" : ` ±${me(n.error * e, !1)}`}` }),
           H("small", { children: [
             "U₀ ",
             n.uniformity == null ? "…" : Rn(n.uniformity, 2),
@@ -2297,8 +2297,8 @@ function uu() {
         maxLength: 60,
         ref: (o) => o?.focus(),
         onBlur: (o) => {
-          let r = o.currentTarget.value.trim();
-          Ht.value = null, r && r !== n.name && Oo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+          let l = o.currentTarget.value.trim();
+          Ht.value = null, l && l !== n.name && Oo(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
         onKeyDown: (o) => {
           o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
@@ -2354,7 +2354,7 @@ function mu() {
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
-    let r = a.getBoundingClientRect(), l = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), u = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
+    let l = a.getBoundingClientRect(), r = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), u = o ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
     e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), pu(u, i);
   };
   return Wo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Wo("span", { ref: e }) });
@@ -2382,7 +2382,7 @@ function Mu() {
   if (vu(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = ku.value, o = [...e.lamps].sort((c, g) => xe(g) - xe(c)), r = o.reduce((c, g) => c + xe(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + xe(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${ge(e.lux[0])} ±${ge(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = ku.value, o = [...e.lamps].sort((c, g) => xe(g) - xe(c)), l = o.reduce((c, g) => c + xe(g), 0) || 1, r = o.slice(0, 9), i = l - r.reduce((c, g) => c + xe(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 120 - 28 * Math.min(o.length, 10))), p = e.lux ? `${ge(e.lux[0])} ±${ge(e.lux[1], !1)}` : "Measuring…";
   return ee(
     "div",
     {
@@ -2403,7 +2403,7 @@ function Mu() {
           K("button", { class: "icon", "aria-label": "Close", onClick: Ko, children: K(gu, { name: "close" }) })
         ] }),
         ee("ol", { children: [
-          l.map((c) => K(
+          r.map((c) => K(
             "li",
             {
               onPointerEnter: () => Bo.value = { kind: "lamp", id: c.id },
@@ -2411,7 +2411,7 @@ function Mu() {
               children: ee("button", { class: "row", onClick: () => fu("lamp", c.id), children: [
                 K("span", { class: "name", children: bu("lamp", c.id) }),
                 ee("span", { class: "figure", children: [
-                  hu(100 * xe(c) / r, xe(c) / r < 0.0995 ? 1 : 0),
+                  hu(100 * xe(c) / l, xe(c) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
                 ee("span", { class: "figure lux", children: [
@@ -2420,9 +2420,9 @@ function Mu() {
                   ge(xu(c), !1)
                 ] }),
                 ee("span", { class: "bar", "aria-hidden": "true", children: [
-                  K("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
-                  K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / r}%` } }),
-                  K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / r}%` } })
+                  K("i", { class: "direct", style: { width: `${100 * c.direct[0] / l}%` } }),
+                  K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / l}%` } }),
+                  K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / l}%` } })
                 ] }),
                 ee("span", { class: "spoken", children: [
                   "direct ",
@@ -2437,9 +2437,9 @@ function Mu() {
             },
             c.id
           )),
-          o.length > l.length && ee("li", { class: "quiet", children: [
+          o.length > r.length && ee("li", { class: "quiet", children: [
             "and ",
-            o.length - l.length,
+            o.length - r.length,
             " others, ",
             ge(i),
             " together"
