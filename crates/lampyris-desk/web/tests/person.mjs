@@ -98,18 +98,25 @@ export const colorOf = (page, [x, y, width, height], canvas = '.stage canvas') =
 export const mean = (color) => (color[0] + color[1] + color[2]) / 3;
 
 /** Where a point of the office's plan lies in the view, in shares: by what a person sees, the room's outline. */
-export const planAt = (page, x, y) => page.evaluate(([px, py]) => {
-    const canvas = document.querySelector('.stage canvas');
-    const { width, height } = canvas;
-    const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
-    const lit = (k) => data[4 * k] + data[4 * k + 1] + data[4 * k + 2] > 24;
-    let [left, right] = [width, 0];
-    for (let k = 0; k < width * height; k++) if (lit(k)) [left, right] = [Math.min(left, k % width), Math.max(right, k % width)];
-    // The room is 6 m wide, seen straight from above, its middle in the middle.
-    const scale = (right + 1 - left) / 6.0;
-    const middle = [(left + right + 1) / 2, height / 2];
-    return [(middle[0] + (px - 3) * scale) / width, (middle[1] - (py - 2.36) * scale) / height];
-}, [x, y]);
+export async function planAt(page, x, y) {
+    // The plan is there when the picture's margin is black.
+    await page.waitForFunction(() => {
+        const { width, height } = document.querySelector('.stage canvas');
+        const { data } = document.querySelector('.stage canvas').getContext('2d').getImageData(0, 0, 2, height);
+        return width > 0 && data.every((v, k) => k % 4 === 3 || v < 8);
+    }, undefined, { timeout: 60_000 });
+    return page.evaluate(([px, py]) => {
+        const canvas = document.querySelector('.stage canvas');
+        const { width, height } = canvas;
+        const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+        const lit = (k) => data[4 * k] + data[4 * k + 1] + data[4 * k + 2] > 24;
+        let [left, right] = [width, 0];
+        for (let k = 0; k < width * height; k++) if (lit(k)) [left, right] = [Math.min(left, k % width), Math.max(right, k % width)];
+        // The room is 6 m wide, seen straight from above; its box, window and all, is in the middle.
+        const scale = (right + 1 - left) / 6.0;
+        return [((left + right + 1) / 2 + (px - 3) * scale) / width, (height / 2 - (py - 2.36) * scale) / height];
+    }, [x, y]);
+}
 
 /** Waits until the picture holds all that was said, rests, and has some batches. */
 export async function rested(page, batches = 4) {
@@ -117,8 +124,7 @@ export async function rested(page, batches = 4) {
     // Figures of the line at the bottom come a few times a second.
     await page.waitForTimeout(700);
     await page.waitForFunction((least) => {
-        const { state } = document.getElementById('desk').dataset;
         const told = /(\d+) batches/.exec(document.querySelector('footer').innerText);
-        return ['refining', 'good', 'done'].includes(state) && told && Number(told[1]) >= least;
+        return document.querySelector('.quality:is(.refining, .good, .done)') && told && Number(told[1]) >= least;
     }, batches, { timeout: 120_000 });
 }

@@ -52,6 +52,7 @@ const power = (lamp) => person.button(`${lamp} on`);
 const level = (lamp) => person.fader(lamp).getByLabel(/level, typed/);
 
 // 1. The room as its file has it.
+await person.click(person.fader('lamp_torchiere/disc').locator('.row-name'));
 await photograph('open');
 const open = await room();
 
@@ -91,7 +92,10 @@ await page.waitForSelector('.inspector .tools');
 await person.click(page.locator('.inspector').getByRole('button', { name: 'Aim', exact: true }));
 await person.point(0.67, 0.615);
 await step('Aim Spot 1');
-await person.type(page.getByLabel('Ends at'), '50°');
+await person.type(page.getByLabel('Level of the selection'), '250 lm');
+await step('Spot 1 100 → 31 %');
+await person.click(person.button('White'));
+await person.click(person.button('2700 kelvin, warm'));
 await photograph('aim');
 await page.keyboard.press('Escape');
 
@@ -123,6 +127,7 @@ await page.keyboard.press('Escape');
 
 // 7. False colour, from inside.
 await person.click(person.button('Inside'));
+await person.click(person.button('Meter once'));
 await person.click(person.button('False colour'));
 await page.waitForSelector('.legend');
 await photograph('lux');
