@@ -1,6 +1,7 @@
 //! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
 //! the studio's, pictures the screen's.
 
+mod answering;
 mod editing;
 mod reaching;
 mod telling;
@@ -17,11 +18,9 @@ use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Opened, Progress, Studio, What};
-use crate::wire::{Do, Look, Message, PROTOCOL, Question};
+use crate::studio::{Found, Opened, Progress, Studio};
+use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::cpu::Answer;
-use lampyris::eye::Meter;
-use lampyris::geometry::Ray;
 use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
@@ -509,42 +508,6 @@ impl Desk {
                 Ok(false)
             }
         }
-    }
-
-    fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
-        let what = match question {
-            Question::Point { frame, x, y } => {
-                let frame = self.screen.frame(frame).ok_or("this frame is too old to ask about")?;
-                let inside = |at: f32, size: u32| (0.0..=size as f32).contains(&at);
-                if !inside(x, frame.size[0]) || !inside(y, frame.size[1]) {
-                    return Err("this lies outside of the frame".into());
-                }
-                What::Pixel(frame, [x, y])
-            }
-            Question::Ray { origin, direction } => {
-                let direction = direction.try_normalize().filter(|_| origin.is_finite());
-                What::Ray(Ray::new(origin, direction.ok_or("this ray leads nowhere")?))
-            }
-            Question::Light { point, normal } => {
-                let normal = normal.try_normalize().filter(|_| point.is_finite());
-                What::Light(Meter { position: point, normal: normal.ok_or("this point faces nowhere")? })
-            }
-            Question::Command => {
-                let text = self.command();
-                self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
-                return Ok(false);
-            }
-            Question::Picture { format, width, height, batches } => {
-                let order = Order { client, id, format, size: [width, height], batches };
-                order.check()?;
-                self.orders.push(order);
-                self.save(None);
-                self.print();
-                return Ok(false);
-            }
-        };
-        self.studio.ask(Asked { client, id, what });
-        Ok(false)
     }
 
     fn display_as(&mut self, patch: &Value) -> Result<(), String> {
