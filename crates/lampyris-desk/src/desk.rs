@@ -1,6 +1,7 @@
 //! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
 //! the studio's, pictures the screen's.
 
+mod answering;
 mod editing;
 mod reaching;
 mod telling;
@@ -17,11 +18,9 @@ use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Opened, Progress, Studio, What};
-use crate::wire::{Do, Look, Message, PROTOCOL, Question};
+use crate::studio::{Found, Opened, Progress, Studio};
+use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::cpu::Answer;
-use lampyris::eye::Meter;
-use lampyris::geometry::Ray;
 use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
@@ -32,8 +31,9 @@ use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
-/// How long edits wait to be saved.
+/// How long edits wait to be saved, and to be saved again where that failed.
 const SOON: Duration = Duration::from_millis(400);
+const AGAIN: Duration = Duration::from_secs(3);
 
 /// What happens at a desk.
 pub(crate) enum Event {
@@ -149,7 +149,7 @@ pub(crate) struct Desk {
     /// Of each layer, what it gives each point that is measured [lx].
     by_layer: Vec<Vec<f32>>,
     saved: Value,
-    /// Since when there is something to save.
+    /// By when there is something to save.
     unsaved: Option<Instant>,
     cameras: u32,
     history: History,
@@ -267,7 +267,7 @@ impl Desk {
                     let before = std::mem::replace(&mut self.saved, saved);
                     if self.saved["state"] == "failed" {
                         // Until there is room again, or another folder.
-                        self.unsaved.get_or_insert_with(Instant::now);
+                        self.save_in(AGAIN);
                     } else if self.unsaved.is_some() {
                         self.saved["state"] = "waiting".into();
                     }
@@ -324,12 +324,23 @@ impl Desk {
 
     /// What happens next; nothing for a while, where edits wait to be saved.
     fn next(&self, events: &Receiver<Event>) -> Option<Event> {
-        let Some(since) = self.unsaved else { return events.recv().ok() };
-        match events.recv_timeout(SOON.saturating_sub(since.elapsed())) {
+        let Some(due) = self.unsaved else { return events.recv().ok() };
+        let left = due.saturating_duration_since(Instant::now());
+        // However much happens, saving has its turn.
+        if left.is_zero() {
+            return Some(Event::Idle);
+        }
+        match events.recv_timeout(left) {
             Ok(event) => Some(event),
             Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
             Err(RecvTimeoutError::Disconnected) => None,
         }
+    }
+
+    /// Edits are to be written down before so long.
+    fn save_in(&mut self, wait: Duration) {
+        let due = Instant::now() + wait;
+        self.unsaved = Some(self.unsaved.map_or(due, |own| own.min(due)));
     }
 
     /// Has the edits written down, if there are some, or as a version of a name.
@@ -342,6 +353,7 @@ impl Desk {
 
     fn join(&mut self, client: u64, role: Role) {
         self.clients.insert(client, role);
+        self.studio.watched(true);
         if role == Role::Edit && self.editor.is_none() {
             self.pass_pen(Some(client));
         }
@@ -356,6 +368,7 @@ impl Desk {
 
     fn leave(&mut self, client: u64) {
         self.clients.remove(&client);
+        self.studio.watched(!self.clients.is_empty());
         if self.editor == Some(client) {
             self.end_gesture();
             let next = self.clients.iter().find(|(_, role)| **role == Role::Edit).map(|(id, _)| *id);
@@ -432,7 +445,7 @@ impl Desk {
             }
             Do::Set { patch } => {
                 let label = state::label(&self.model, &patch);
-                self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
+                self.in_gesture(seq, &label, |desk| desk.edit(seq, *patch, 0.0))
             }
             Do::End { label } => {
                 if let (Some(gesture), Some(label)) = (&mut self.gesture, label) {
@@ -441,10 +454,7 @@ impl Desk {
                 self.end_gesture();
                 Ok(false)
             }
-            Do::Cancel => match self.gesture.take() {
-                Some(gesture) => self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced),
-                None => Ok(false),
-            },
+            Do::Cancel => self.cancel_gesture(seq),
             Do::Undo | Do::Redo => {
                 self.end_gesture();
                 let undo = matches!(what, Do::Undo);
@@ -475,63 +485,29 @@ impl Desk {
             Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
             Do::Add { lamp } => {
                 let new: NewLamp = serde_json::from_value(*lamp).map_err(|e| e.to_string())?;
-                self.in_gesture("Add a lamp", |desk| {
+                self.in_gesture(seq, "Add a lamp", |desk| {
                     let light = new.light(desk.model.lamps.len(), desk.down())?;
                     desk.add(seq, light, None)
                 })
             }
             Do::Copy { lamps, count, step } => {
-                self.in_gesture("Copy", |desk| desk.copy(seq, &lamps, count, step))
+                self.in_gesture(seq, "Copy", |desk| desk.copy(seq, &lamps, count, step))
             }
             Do::Remove { lamps } => {
                 let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
                 let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
-                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0))
+                self.in_gesture(seq, "Remove", |desk| {
+                    desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0)
+                })
             }
             Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
             Do::Save { name } => {
-                self.unsaved.get_or_insert_with(Instant::now);
+                self.save_in(SOON);
                 self.save(name);
                 Ok(false)
             }
         }
-    }
-
-    fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
-        let what = match question {
-            Question::Point { frame, x, y } => {
-                let frame = self.screen.frame(frame).ok_or("this frame is too old to ask about")?;
-                let inside = |at: f32, size: u32| (0.0..=size as f32).contains(&at);
-                if !inside(x, frame.size[0]) || !inside(y, frame.size[1]) {
-                    return Err("this lies outside of the frame".into());
-                }
-                What::Pixel(frame, [x, y])
-            }
-            Question::Ray { origin, direction } => {
-                let direction = direction.try_normalize().filter(|_| origin.is_finite());
-                What::Ray(Ray::new(origin, direction.ok_or("this ray leads nowhere")?))
-            }
-            Question::Light { point, normal } => {
-                let normal = normal.try_normalize().filter(|_| point.is_finite());
-                What::Light(Meter { position: point, normal: normal.ok_or("this point faces nowhere")? })
-            }
-            Question::Command => {
-                let text = self.command();
-                self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
-                return Ok(false);
-            }
-            Question::Picture { format, width, height, batches } => {
-                let order = Order { client, id, format, size: [width, height], batches };
-                order.check()?;
-                self.orders.push(order);
-                self.save(None);
-                self.print();
-                return Ok(false);
-            }
-        };
-        self.studio.ask(Asked { client, id, what });
-        Ok(false)
     }
 
     fn display_as(&mut self, patch: &Value) -> Result<(), String> {

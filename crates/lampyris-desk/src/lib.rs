@@ -38,6 +38,7 @@ pub use studio::Opened;
 use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
+use lampyris::document;
 use printer::Printer;
 use screen::Screen;
 use std::fmt::Display;
@@ -50,7 +51,8 @@ use studio::Studio;
 /// How a desk is set up.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Where to listen; port 0 for a free one.
+    /// Where to listen; port 0 for a free one. At any other the link is the same each time, kept in the user's folder for
+    /// state: a page that is open finds back to a desk that was started again.
     pub address: SocketAddr,
     /// Whether the address may be reached from other machines.
     pub exposed: bool,
@@ -96,7 +98,10 @@ pub fn serve<E: From<Error> + Display + Send>(
     let address = listener
         .local_addr()
         .map_err(|e| Error::CannotListen { address: options.address, reason: e.to_string() })?;
-    let door = Arc::new(Door::new(address)?);
+    let name = format!("desk-{}.key", address.port());
+    let keeps =
+        document::state_folder().filter(|_| options.address.port() != 0).map(|state| state.join(name));
+    let door = Arc::new(Door::new(address, keeps.as_deref())?);
     let (inbox, events) = Inbox::new();
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
     let printer = Arc::new(Printer::new(options.program.clone()));

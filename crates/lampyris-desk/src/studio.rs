@@ -50,6 +50,9 @@ const SKETCHED: u32 = 4;
 const METERED: u32 = 64;
 const METER_PATHS: u32 = 512;
 
+/// Batches that are drawn while nobody looks on.
+const UNSEEN: u32 = 8;
+
 /// Relative error at which what lights a point is known.
 const ENOUGH_KNOWN: f32 = 0.01;
 
@@ -238,7 +241,8 @@ impl Stage {
     fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<Option<(Opened, Value)>> {
         let mut last = Turn::Meters;
         loop {
-            let (turn, until) = self.turn(last);
+            let watched = studio.watched.load(Ordering::Relaxed);
+            let (turn, until) = self.turn(last, watched);
             let mut work = studio.take(until);
             let reload = work.reload.take();
             if work.ended || reload.is_some() {
@@ -247,7 +251,7 @@ impl Stage {
             }
             self.follow(work, inbox)?;
             // What was asked may have changed whose turn it is.
-            let Some(turn) = self.turn(last).0.or(turn) else { continue };
+            let Some(turn) = self.turn(last, watched).0.or(turn) else { continue };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
             let done = match turn {
@@ -282,8 +286,11 @@ impl Stage {
     }
 
     /// Whose turn it is, if it is anybody's, and until when there is nothing to do but what is asked.
-    fn turn(&mut self, last: Turn) -> (Option<Turn>, Option<Instant>) {
+    fn turn(&mut self, last: Turn, watched: bool) -> (Option<Turn>, Option<Instant>) {
         let now = Instant::now();
+        if !watched && self.batches() >= UNSEEN {
+            return (None, Some(now + REST));
+        }
         let rest = self.moved.map(|at| at + REST).filter(|rest| *rest > now);
         let sketched = self.session.sketched().map_or(0, Sums::batches);
         if let Some(rest) = rest {

@@ -2189,15 +2189,15 @@ function Qs() {
         ] }) }, `m${t}`);
       }),
       Ao.all().map(([t, n]) => {
-        let a = n.target, o = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
+        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.02 * n.mean || Fo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
         return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "grid" && Dt.value.ids.includes(t), onClick: () => qo("grid", t), children: [
           H("span", { class: "tint", children: [
             x(He, { name: "grid" }),
             n.name,
             " ",
-            a && n.mean != null && x("b", { class: o ? "met" : "missed", children: o ? "✓" : "✗" })
+            a && n.mean != null && x("b", { class: r ? "met" : "missed", children: r ? "✓" : "✗" })
           ] }),
-          x("strong", { class: Fo() ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
+          x("strong", { class: o ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
           H("small", { children: [
             "U₀ ",
             n.uniformity == null ? "…" : Hn(n.uniformity, 2),

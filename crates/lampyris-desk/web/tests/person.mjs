@@ -3,7 +3,7 @@
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { basename, dirname, join } from 'node:path';
-import { openBrowser, openPage, root, startProgram, waitState } from './desk.mjs';
+import { caughtUp, openBrowser, openPage, root, startProgram, waitState } from './desk.mjs';
 
 /** A desk on a copy of a scene, so that what it saves is gone with the copy. */
 export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark', more = [] } = {}) {
@@ -97,13 +97,34 @@ export const colorOf = (page, [x, y, width, height], canvas = '.stage canvas') =
 
 export const mean = (color) => (color[0] + color[1] + color[2]) / 3;
 
-/** Waits until the picture holds all that was said and is good. */
-export const good = async (page) => {
+/** Where a point of the office's plan lies in the view, in shares: by what a person sees, the room's outline. */
+export async function planAt(page, x, y) {
+    // The plan is there when the picture's margin is black.
     await page.waitForFunction(() => {
-        const { sent, seqApplied } = window.__desk;
-        const last = sent.findLast((message) => message.what !== 'ask');
-        return !last || seqApplied >= last.seq;
+        const { width, height } = document.querySelector('.stage canvas');
+        const { data } = document.querySelector('.stage canvas').getContext('2d').getImageData(0, 0, 2, height);
+        return width > 0 && data.every((v, k) => k % 4 === 3 || v < 8);
     }, undefined, { timeout: 60_000 });
-    await page.waitForTimeout(300);
-    await waitState(page, 'good', 'done');
-};
+    return page.evaluate(([px, py]) => {
+        const canvas = document.querySelector('.stage canvas');
+        const { width, height } = canvas;
+        const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+        const lit = (k) => data[4 * k] + data[4 * k + 1] + data[4 * k + 2] > 24;
+        let [left, right] = [width, 0];
+        for (let k = 0; k < width * height; k++) if (lit(k)) [left, right] = [Math.min(left, k % width), Math.max(right, k % width)];
+        // The room is 6 m wide, seen straight from above; its box, window and all, is in the middle.
+        const scale = (right + 1 - left) / 6.0;
+        return [((left + right + 1) / 2 + (px - 3) * scale) / width, (height / 2 - (py - 2.36) * scale) / height];
+    }, [x, y]);
+}
+
+/** Waits until the picture holds all that was said, rests, and has some batches. */
+export async function rested(page, batches = 4) {
+    await caughtUp(page);
+    // Figures of the line at the bottom come a few times a second.
+    await page.waitForTimeout(700);
+    await page.waitForFunction((least) => {
+        const told = /(\d+) batches/.exec(document.querySelector('footer').innerText);
+        return document.querySelector('.quality:is(.refining, .good, .done)') && told && Number(told[1]) >= least;
+    }, batches, { timeout: 120_000 });
+}

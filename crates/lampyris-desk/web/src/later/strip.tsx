@@ -108,12 +108,13 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
+                    const poor = grid.mean == null || grid.error == null || grid.error > 0.02 * grid.mean || settling();
                     const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'grid' && selection.value.ids.includes(id)} onClick={() => select('grid', id)}>
                                 <span class="tint"><Icon name="grid" />{grid.name} {target && grid.mean != null && <b class={met ? 'met' : 'missed'}>{met ? '✓' : '✗'}</b>}</span>
-                                <strong class={settling() ? 'unsettled' : ''}>
+                                <strong class={poor ? 'unsettled' : ''}>
                                     {grid.mean == null ? '…' : `Ē ${luxText(grid.mean * kept)}${grid.error == null ? '' : ` ±${luxText(grid.error * kept, false)}`}`}
                                 </strong>
                                 <small>
