@@ -255,7 +255,8 @@ impl Stage {
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
             let done = match turn {
-                Turn::Sketch => self.session.step_sketch(&go_on)?,
+                // A hand that moves on would let no sketch be finished.
+                Turn::Sketch => self.session.step_sketch(&|| true)?,
                 Turn::Picture => self.session.step_while(&go_on)?,
                 Turn::Meters => self.session.step_meters(&go_on)?,
                 Turn::Question => match self.pursued.first_mut() {
