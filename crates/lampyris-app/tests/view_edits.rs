@@ -4,13 +4,16 @@ mod support;
 
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use support::desk::{Client, Desk, Heard};
 use support::dice::Dice;
 use support::{Folder, run};
 
 /// Lamps that are added at most: who is taken away keeps the number.
 const ADDED: usize = 12;
+
+/// Messages a second, acknowledgements apart: a desk hears 400, and hangs up on who says more for long.
+const RATE: f64 = 300.0;
 
 /// Edits that are sent before their answers are awaited.
 const AT_ONCE: usize = 25;
@@ -278,6 +281,12 @@ fn all_followed(client: &mut Client) {
     }
 }
 
+/// Waits until so much may have been said.
+fn rest(began: Instant, said: usize) {
+    let due = Duration::from_secs_f64(said as f64 / RATE);
+    std::thread::sleep(due.saturating_sub(began.elapsed()));
+}
+
 /// The pixels of a final frame.
 fn final_picture(client: &mut Client) -> Vec<u8> {
     let seq = client.say(json!({"do": "solo"}));
@@ -337,6 +346,7 @@ fn edit_by_chance(name: &str, seed: u64, edits: usize) -> Vec<(f64, f64)> {
         if waiting >= AT_ONCE || done >= edits {
             all_followed(&mut client);
             waiting = 0;
+            rest(began, done);
             assert_eq!(Faders::of(&client.state), designer.faders, "after {done}");
             memory.push((done as f64, resident(&desk)));
         }
@@ -372,10 +382,12 @@ fn edit_by_chance(name: &str, seed: u64, edits: usize) -> Vec<(f64, f64)> {
         camera[field] = look[field].clone();
     }
     client.say(camera);
+    let began = Instant::now();
     for step in 0..designer.at {
         client.say(json!({"do": "undo"}));
         if step % AT_ONCE == 0 {
             all_followed(&mut client);
+            rest(began, step);
         }
     }
     all_followed(&mut client);
