@@ -101,8 +101,7 @@ fn latencies(client: &mut Client, count: u32) -> Vec<f64> {
         let passed = said.elapsed();
         // The hand rests now and then, and hears what is said meanwhile.
         let rest = Instant::now();
-        while let Some(left) =
-            Duration::from_millis(60).checked_sub(rest.elapsed()).filter(|d| !d.is_zero())
+        while let Some(left) = Duration::from_millis(60).checked_sub(rest.elapsed()).filter(|d| !d.is_zero())
         {
             client.wait(left);
             client.hear();
@@ -138,7 +137,11 @@ fn who_takes_no_part_is_let_go() {
         latencies(&mut client, 3);
         most = most.max(resident(&desk));
     }
-    println!("{all} sockets, {wanted} after {:?}; {:.0} MiB, then at most {most:.0}", came.elapsed(), before.1);
+    println!(
+        "{all} sockets, {wanted} after {:?}; {:.0} MiB, then at most {most:.0}",
+        came.elapsed(),
+        before.1
+    );
     assert!(most < before.1 + 64.0, "{most} MiB");
     let seen: Vec<u32> = crowd.seen.iter().map(|seen| seen.load(Ordering::Relaxed)).collect();
     latencies(&mut client, 10);

@@ -12,6 +12,9 @@ use support::{Folder, run};
 /// Lamps that are added at most: who is taken away keeps the number.
 const ADDED: usize = 12;
 
+/// Looks that are kept at most.
+const LOOKS: usize = 6;
+
 /// Messages a second, acknowledgements apart: a desk hears 400, and hangs up on who says more for long.
 const RATE: f64 = 300.0;
 
@@ -119,6 +122,15 @@ impl Designer {
             }
             9 if self.lamps < ADDED => self.add(),
             9 | 10 => self.take_away(),
+            _ if self.look.len() >= LOOKS => {
+                let looks: Vec<usize> = self.look.keys().copied().collect();
+                let id = self.dice.of(&looks);
+                if self.look[&id] == self.faders {
+                    return self.dim();
+                }
+                self.look.insert(id, self.faders.clone());
+                json!({"do": "look", "what": "update", "id": id})
+            }
             _ => {
                 let id = self.look.keys().next_back().map_or(0, |last| last + 1) as usize;
                 self.look.insert(id, self.faders.clone());

@@ -34,7 +34,7 @@ fn a_scene_that_goes_breaks_and_comes_back() {
     saved(&mut client, "saved");
     assert!(folder.files().contains(&"cornell.mgf.lampyris.json".into()), "{:?}", folder.files());
 
-    folder.put("cornell.mgf", "m light =\n\tside");
+    folder.put("cornell.mgf", "m light =\n\tsides one two");
     let broken = client.until(|value| value["what"] == "broken");
     assert!(broken["why"].as_str().unwrap().contains("cornell.mgf"), "{broken}");
     level(&mut client, 0.25).unwrap();

@@ -2,6 +2,8 @@
 //! the studio's, pictures the screen's.
 
 mod editing;
+#[cfg(test)]
+mod hostile;
 mod reaching;
 mod telling;
 

@@ -143,14 +143,16 @@ fn hear_hostile(seed: u64, count: usize) {
     world.separate(16).unwrap();
     let (opening, scene) = (opening::open(&world), bare(world.scene()));
     let (mut dice, mut followed) = (Dice(seed), 0);
+    let mut steps = 0;
     for _ in 0..count / 500 {
         let mut desk = desk(&opening, &scene);
         let before = undone(&desk, &opening);
         for _ in 0..500 {
             let bytes = dice.message();
-            let Ok(message) = std::str::from_utf8(&bytes).map_err(drop).and_then(|text| {
-                Message::read(text).map_err(|(_, why)| assert!(!why.is_empty()))
-            }) else {
+            let Ok(message) = std::str::from_utf8(&bytes)
+                .map_err(drop)
+                .and_then(|text| Message::read(text).map_err(|(_, why)| assert!(!why.is_empty())))
+            else {
                 continue;
             };
             followed += 1;
@@ -161,14 +163,15 @@ fn hear_hostile(seed: u64, count: usize) {
         let whole = state::whole(&desk.model, desk.scene.as_ref().unwrap());
         assert!(whole["lamps"].is_object());
         desk.end_gesture();
+        steps += desk.history.steps();
         for _ in 0..=desk.history.steps() {
             desk.hear(1, Message { seq: 1, what: Do::Undo });
         }
         assert_eq!(desk.history.steps(), 0);
         assert_alike(&undone(&desk, &opening), &before);
     }
-    println!("{followed} of {count} were messages");
-    assert!(followed > count / 10 && followed < count);
+    println!("{followed} of {count} were messages, {steps} steps of undo");
+    assert!(followed > count / 10 && followed < count && steps > count / 50);
 }
 
 /// The first lines that differ: all of them are too many to read.
