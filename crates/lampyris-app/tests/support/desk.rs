@@ -137,6 +137,12 @@ impl Client {
         self.seq
     }
 
+    /// Puts bytes on the line that need not be a message.
+    pub(crate) fn push(&mut self, bytes: &[u8]) {
+        // Who was hung up on hears so.
+        let _ = self.socket.get_mut().write_all(bytes);
+    }
+
     /// How long it is waited for what comes next.
     pub(crate) fn wait(&mut self, time: Duration) {
         self.socket.get_ref().set_read_timeout(Some(time)).unwrap();
