@@ -13,6 +13,12 @@ fn level(client: &mut Client, level: f64) -> Result<Value, String> {
     client.ask(json!({"do": "set", "patch": {"lamps": {"0": {"level": level}}}}))
 }
 
+/// Sets a level and waits until it is seen.
+fn shows(client: &mut Client, level: f64) {
+    let seq = client.say(json!({"do": "set", "patch": {"lamps": {"0": {"level": level}}}}));
+    client.until_frame(|frame| frame.seq >= seq);
+}
+
 /// Waits until it is said of saving what is looked for; what is said.
 fn saved(client: &mut Client, wanted: &str) -> Value {
     let value = client.until(|value| value["patch"]["saved"]["state"] == wanted);
@@ -37,9 +43,7 @@ fn a_scene_that_goes_breaks_and_comes_back() {
     folder.put("cornell.mgf", "m light =\n\tsides one two");
     let broken = client.until(|value| value["what"] == "broken");
     assert!(broken["why"].as_str().unwrap().contains("cornell.mgf"), "{broken}");
-    level(&mut client, 0.25).unwrap();
-    let seq = client.seq;
-    client.until_frame(|frame| frame.seq >= seq);
+    shows(&mut client, 0.25);
 
     folder.put("cornell.mgf", &text);
     let back = client.until(|value| value["what"] == "reloaded");
@@ -107,9 +111,7 @@ fn a_full_disk() {
     println!("{failed}");
     assert!(!failed["why"].as_str().unwrap().is_empty());
     assert_eq!(std::fs::read(&document).unwrap(), before);
-    level(&mut client, 0.125).unwrap();
-    let seq = client.seq;
-    client.until_frame(|frame| frame.seq >= seq);
+    shows(&mut client, 0.125);
 
     std::fs::remove_file(&filler).unwrap();
     let room = Instant::now();
