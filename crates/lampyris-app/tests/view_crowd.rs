@@ -2,6 +2,7 @@
 //! and who takes part in nothing is let go.
 
 #![cfg(target_os = "linux")]
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
 
 mod support;
 

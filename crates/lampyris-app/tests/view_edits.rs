@@ -1,5 +1,7 @@
 //! Edits by chance: whatever a client asks for that makes sense is done, and what is there in the end is what was asked for.
 
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
+
 mod support;
 
 use serde_json::{Value, json};
@@ -132,7 +134,7 @@ impl Designer {
                 json!({"do": "look", "what": "update", "id": id})
             }
             _ => {
-                let id = self.look.keys().next_back().map_or(0, |last| last + 1) as usize;
+                let id = self.look.keys().next_back().map_or(0, |last| last + 1);
                 self.look.insert(id, self.faders.clone());
                 json!({"do": "look", "what": "store"})
             }
@@ -281,11 +283,12 @@ fn all_followed(client: &mut Client) {
             Heard::Text(value) if value["is"] == "refused" => {
                 panic!("refused: {value}")
             }
-            Heard::Text(value) if value["is"] == "patch" && value["patch"]["display"].is_object() => {
-                // A display is told with the number of the message before it.
-                if value["seq"].as_u64() >= Some(u64::from(seq) - 1) {
-                    return;
-                }
+            // A display is told with the number of the message before it.
+            Heard::Text(value)
+                if value["patch"]["display"].is_object()
+                    && value["seq"].as_u64() >= Some(u64::from(seq) - 1) =>
+            {
+                return;
             }
             Heard::Closed => panic!("the desk hung up"),
             _ => {}

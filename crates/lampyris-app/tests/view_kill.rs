@@ -1,6 +1,8 @@
 //! The program is killed at random moments while edits stream in: the document is whole whenever that is, and holds every edit
 //! that was made more than a second before.
 
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
+
 mod support;
 
 use serde_json::{Value, json};

@@ -1,5 +1,7 @@
 //! Files that go, break or cannot be written while a desk is open: it says so, goes on, and loses nothing.
 
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
+
 mod support;
 
 use serde_json::{Value, json};

@@ -1,5 +1,7 @@
 //! A hand that drags faster than the line carries: the last value wins, and it is one step of undo.
 
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
+
 mod support;
 
 use serde_json::json;

@@ -170,7 +170,6 @@ fn hear_hostile(seed: u64, count: usize) {
         assert_eq!(desk.history.steps(), 0);
         assert_alike(&undone(&desk, &opening), &before);
     }
-    println!("{followed} of {count} were messages, {steps} steps of undo");
     assert!(followed > count / 10 && followed < count && steps > count / 1000);
 }
 
