@@ -188,10 +188,8 @@ fn the_final_picture_is_the_renderers() {
         .ask(json!({"do": "set", "patch": {"things": {"1": {"place": {"position": [1.5, 1.2, 2.0]}}}}}))
         .unwrap();
     client.ask(json!({"do": "set", "patch": {"materials": {"0": {"color": [0.2, 0.5, 0.7]}}}})).unwrap();
-    let seq = client
-        .ask(json!({"do": "set", "patch": {"lamps": {"1": {"place": {"position": [1.2, 3.5, 1.0]}}}}}))
-        .map(|_| client.seq)
-        .unwrap();
+    let seq =
+        client.say(json!({"do": "set", "patch": {"lamps": {"1": {"place": {"position": [1.2, 3.5, 1.0]}}}}}));
     let shown = final_picture(&mut client, seq);
     client.until(|value| value["patch"]["saved"]["state"] == "saved");
     let ev = client.state["display"]["ev"].as_f64().unwrap();

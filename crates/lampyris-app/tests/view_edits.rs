@@ -1,16 +1,24 @@
 //! Edits by chance: whatever a client asks for that makes sense is done, and what is there in the end is what was asked for.
 
+#![allow(clippy::print_stdout, reason = "what was measured is told")]
+
 mod support;
 
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use support::desk::{Client, Desk, Heard};
 use support::dice::Dice;
 use support::{Folder, run};
 
 /// Lamps that are added at most: who is taken away keeps the number.
 const ADDED: usize = 12;
+
+/// Looks that are kept at most.
+const LOOKS: usize = 6;
+
+/// Messages a second, acknowledgements apart: a desk hears 400, and hangs up on who says more for long.
+const RATE: f64 = 300.0;
 
 /// Edits that are sent before their answers are awaited.
 const AT_ONCE: usize = 25;
@@ -116,8 +124,17 @@ impl Designer {
             }
             9 if self.lamps < ADDED => self.add(),
             9 | 10 => self.take_away(),
+            _ if self.look.len() >= LOOKS => {
+                let looks: Vec<usize> = self.look.keys().copied().collect();
+                let id = self.dice.of(&looks);
+                if self.look[&id] == self.faders {
+                    return self.dim();
+                }
+                self.look.insert(id, self.faders.clone());
+                json!({"do": "look", "what": "update", "id": id})
+            }
             _ => {
-                let id = self.look.keys().next_back().map_or(0, |last| last + 1) as usize;
+                let id = self.look.keys().next_back().map_or(0, |last| last + 1);
                 self.look.insert(id, self.faders.clone());
                 json!({"do": "look", "what": "store"})
             }
@@ -266,16 +283,23 @@ fn all_followed(client: &mut Client) {
             Heard::Text(value) if value["is"] == "refused" => {
                 panic!("refused: {value}")
             }
-            Heard::Text(value) if value["is"] == "patch" && value["patch"]["display"].is_object() => {
-                // A display is told with the number of the message before it.
-                if value["seq"].as_u64() >= Some(u64::from(seq) - 1) {
-                    return;
-                }
+            // A display is told with the number of the message before it.
+            Heard::Text(value)
+                if value["patch"]["display"].is_object()
+                    && value["seq"].as_u64() >= Some(u64::from(seq) - 1) =>
+            {
+                return;
             }
             Heard::Closed => panic!("the desk hung up"),
             _ => {}
         }
     }
+}
+
+/// Waits until so much may have been said.
+fn rest(began: Instant, said: usize) {
+    let due = Duration::from_secs_f64(said as f64 / RATE);
+    std::thread::sleep(due.saturating_sub(began.elapsed()));
 }
 
 /// The pixels of a final frame.
@@ -337,6 +361,7 @@ fn edit_by_chance(name: &str, seed: u64, edits: usize) -> Vec<(f64, f64)> {
         if waiting >= AT_ONCE || done >= edits {
             all_followed(&mut client);
             waiting = 0;
+            rest(began, done);
             assert_eq!(Faders::of(&client.state), designer.faders, "after {done}");
             memory.push((done as f64, resident(&desk)));
         }
@@ -372,10 +397,12 @@ fn edit_by_chance(name: &str, seed: u64, edits: usize) -> Vec<(f64, f64)> {
         camera[field] = look[field].clone();
     }
     client.say(camera);
+    let began = Instant::now();
     for step in 0..designer.at {
         client.say(json!({"do": "undo"}));
         if step % AT_ONCE == 0 {
             all_followed(&mut client);
+            rest(began, step);
         }
     }
     all_followed(&mut client);

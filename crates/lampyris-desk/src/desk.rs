@@ -3,6 +3,8 @@
 
 mod answering;
 mod editing;
+#[cfg(test)]
+mod hostile;
 mod reaching;
 mod telling;
 

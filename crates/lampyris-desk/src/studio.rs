@@ -158,7 +158,7 @@ pub(crate) fn run(
 }
 
 /// A scene without its geometry: what edits are tried on.
-fn bare(scene: &Scene) -> Scene {
+pub(crate) fn bare(scene: &Scene) -> Scene {
     let meshes = vec![Mesh::default(); scene.meshes.len()];
     Scene { meshes, up: Some(upward(scene)), ..document::outline(scene) }
 }

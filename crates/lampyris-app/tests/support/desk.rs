@@ -2,6 +2,7 @@
 
 use super::{Folder, command};
 use serde_json::{Value, json};
+use std::io::ErrorKind::{TimedOut, WouldBlock};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Command};
@@ -57,14 +58,25 @@ impl Desk {
 
     /// A client that came in by a key.
     pub(crate) fn client(&self, key: &str) -> Client {
+        self.client_by(key, &self.host)
+    }
+
+    /// The same, its socket by another way.
+    pub(crate) fn client_by(&self, key: &str, address: &str) -> Client {
         let cookie = self.cookie(key);
-        let stream = TcpStream::connect(&self.host).unwrap();
+        let stream = TcpStream::connect(address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         let mut request = format!("ws://{}/wire", self.host).into_client_request().unwrap();
         request.headers_mut().insert("origin", format!("http://{}", self.host).parse().unwrap());
         request.headers_mut().insert("cookie", cookie.parse().unwrap());
         let (socket, _) = tungstenite::client(request, stream).expect("a socket");
         Client { socket, seq: 0, frame: None, state: Value::Null, you: Value::Null }
+    }
+
+    /// Has it killed: it can do nothing about it.
+    pub(crate) fn kill(mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
     }
 
     /// Ends it as Ctrl-C does, and waits.
@@ -110,6 +122,8 @@ pub(crate) struct Client {
 pub(crate) enum Heard {
     Text(Value),
     Frame,
+    /// Nothing for as long as it was waited for.
+    Silence,
     Closed,
 }
 
@@ -121,6 +135,17 @@ impl Client {
         // Who was hung up on hears so.
         let _ = self.socket.send(Message::text(message.to_string()));
         self.seq
+    }
+
+    /// Puts bytes on the line that need not be a message.
+    pub(crate) fn push(&mut self, bytes: &[u8]) {
+        // Who was hung up on hears so.
+        let _ = self.socket.get_mut().write_all(bytes);
+    }
+
+    /// How long it is waited for what comes next.
+    pub(crate) fn wait(&mut self, time: Duration) {
+        self.socket.get_ref().set_read_timeout(Some(time)).unwrap();
     }
 
     /// Waits for what comes next; frames are acknowledged, the state follows.
@@ -151,6 +176,7 @@ impl Client {
                 self.say(json!({"do": "ack", "frame": number}));
                 Heard::Frame
             }
+            Err(tungstenite::Error::Io(e)) if matches!(e.kind(), WouldBlock | TimedOut) => Heard::Silence,
             Ok(Message::Close(_)) | Err(_) => Heard::Closed,
             Ok(_) => self.hear(),
         }
