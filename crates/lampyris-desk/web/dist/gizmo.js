@@ -2180,7 +2180,7 @@ function Ks() {
         ] }) }, `m${t}`);
       }),
       Vo.all().map(([t, n]) => {
-        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.02 * n.mean || qo(), l = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
+        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.05 * n.mean || qo(), l = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
         return x("li", { children: H("button", { class: "reading", "aria-pressed": qt.value?.kind === "grid" && qt.value.ids.includes(t), onClick: () => Ro("grid", t), children: [
           H("span", { class: "tint", children: [
             x(qe, { name: "grid" }),

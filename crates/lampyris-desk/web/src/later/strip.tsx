@@ -108,7 +108,8 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
-                    const poor = grid.mean == null || grid.error == null || grid.error > 0.02 * grid.mean || settling();
+                    // ± of a mean takes its points to be off all the same way: it is wider than that of a meter.
+                    const poor = grid.mean == null || grid.error == null || grid.error > 0.05 * grid.mean || settling();
                     const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
