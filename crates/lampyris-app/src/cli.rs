@@ -272,6 +272,9 @@ pub(crate) struct ViewArgs {
     /// Vertical field of view
     #[arg(long, value_name = "DEGREES", value_parser = parse::fov)]
     pub(crate) fov: Option<f32>,
+    /// Show nothing that is nearer to the eye's plane, as in a section; the light stays that of the whole [m]
+    #[arg(long, value_name = "M", value_parser = parse::positive)]
+    pub(crate) near: Option<f32>,
     /// A camera of the scene
     #[arg(long, value_name = "NAME", conflicts_with = "eye")]
     pub(crate) camera: Option<String>,

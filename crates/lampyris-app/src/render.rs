@@ -103,11 +103,12 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let chosen = backend.install(|| viewing::choose(&args.view, &world, aspect))?;
     drop(phase);
     if chosen.seen.is_some() && !args.quiet {
-        say::note(&format!("view: {}", viewing::arguments(&chosen.camera)));
+        say::note(&format!("view: {}", viewing::arguments(&chosen.camera, args.view.near)));
     }
     let viewed_at = Instant::now();
 
-    backend.begin_world(world, Eye::Camera(View::new(&chosen.camera, width, height)), &settings)?;
+    let view = View::new(&chosen.camera, width, height).cut(args.view.near.unwrap_or(0.0));
+    backend.begin_world(world, Eye::Camera(view), &settings)?;
     let progress = Progress::new(&asked, settings.filter, args.quiet);
     let interrupted = estimate::run(&mut backend, &asked, settings.filter, start, &progress)?;
     let rendered_at = Instant::now();
@@ -252,7 +253,7 @@ fn metadata(
     [
         ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
         ("scene", args.scene.file.display().to_string()),
-        ("view", viewing::arguments(camera)),
+        ("view", viewing::arguments(camera, args.view.near)),
         ("parts", settings.parts.join(",")),
         ("paths", settings.paths.to_string()),
         ("photons", settings.photons.to_string()),

@@ -21,6 +21,7 @@ pub(crate) fn view(args: ViewerArgs) -> Result<ExitCode, Failure> {
         address: SocketAddr::new(args.listen, args.port),
         exposed: args.expose,
         file: args.scene.file.clone(),
+        program: std::env::current_exe().unwrap_or_else(|_| "lampyris".into()),
         size: args.size.into(),
         batches: args.batches,
         threads: args.threads.map(|n| n as usize),

@@ -64,10 +64,11 @@ fn named(scene: &Scene, name: &str) -> Result<Camera, Error> {
 }
 
 /// The arguments that repeat a view.
-pub(crate) fn arguments(camera: &Camera) -> String {
+pub(crate) fn arguments(camera: &Camera, near: Option<f32>) -> String {
     let [e, t, u] = [camera.eye, camera.target, camera.up];
+    let near = near.map_or(String::new(), |near| format!(" --near {near}"));
     format!(
-        "--eye {},{},{} --target {},{},{} --up {},{},{} --fov {}",
+        "--eye {},{},{} --target {},{},{} --up {},{},{} --fov {}{near}",
         e.x, e.y, e.z, t.x, t.y, t.z, u.x, u.y, u.z, camera.fov_y
     )
 }

@@ -43,6 +43,12 @@ impl Color {
         }
     }
 
+    /// All of it, as a patch.
+    pub(crate) fn whole(&self) -> ColorPatch {
+        let Color { mode, kelvin, tint, rgb, xy } = *self;
+        ColorPatch { mode: Some(mode), kelvin: Some(kelvin), tint: Some(tint), rgb: Some(rgb), xy: Some(xy) }
+    }
+
     /// Changes what a patch says; returns what takes it back.
     pub(crate) fn apply(&mut self, patch: &ColorPatch) -> Result<ColorPatch, String> {
         let mut new = *self;

@@ -1,6 +1,7 @@
 //! The desk itself: who edits, what was done, what all are told. It holds what shall be and never waits for light: rays are
 //! the studio's, pictures the screen's.
 
+mod answering;
 mod editing;
 mod reaching;
 mod telling;
@@ -13,14 +14,13 @@ use crate::legend::{Legend, Quantity};
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
+use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Asked, Found, Opened, Progress, Studio, What};
-use crate::wire::{Do, Look, Message, PROTOCOL, Question};
+use crate::studio::{Found, Opened, Progress, Studio};
+use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::cpu::Answer;
-use lampyris::eye::Meter;
-use lampyris::geometry::Ray;
 use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
@@ -31,8 +31,9 @@ use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
-/// How long edits wait to be saved.
+/// How long edits wait to be saved, and to be saved again where that failed.
 const SOON: Duration = Duration::from_millis(400);
+const AGAIN: Duration = Duration::from_secs(3);
 
 /// What happens at a desk.
 pub(crate) enum Event {
@@ -87,9 +88,17 @@ pub(crate) enum Event {
     Reloaded {
         lost: Vec<String>,
     },
+    /// A picture to keep was made, of that name, or was not.
+    Made {
+        client: u64,
+        id: u32,
+        done: Result<String, String>,
+    },
     /// Edits were written down, or could not be.
     Saved {
         saved: Value,
+        /// How many times of saving that was the last of.
+        times: u32,
     },
     /// Nothing happened for a while.
     Idle,
@@ -123,6 +132,10 @@ pub(crate) struct Desk {
     door: Arc<Door>,
     studio: Arc<Studio>,
     screen: Arc<Screen>,
+    printer: Arc<Printer>,
+    inbox: Inbox,
+    /// Pictures that wait until all is saved.
+    orders: Vec<Order>,
     file: PathBuf,
     build: Arc<str>,
     model: Model,
@@ -136,7 +149,7 @@ pub(crate) struct Desk {
     /// Of each layer, what it gives each point that is measured [lx].
     by_layer: Vec<Vec<f32>>,
     saved: Value,
-    /// Since when there is something to save.
+    /// By when there is something to save.
     unsaved: Option<Instant>,
     cameras: u32,
     history: History,
@@ -154,6 +167,8 @@ pub(crate) struct Desk {
     ends_alone: bool,
     /// Batches after which a picture is finished.
     enough: u32,
+    /// Documents on their way to the disk.
+    saving: u32,
 }
 
 /// What decides a desk when it begins.
@@ -162,6 +177,8 @@ pub(crate) struct Parts {
     pub(crate) door: Arc<Door>,
     pub(crate) studio: Arc<Studio>,
     pub(crate) screen: Arc<Screen>,
+    pub(crate) printer: Arc<Printer>,
+    pub(crate) inbox: Inbox,
     pub(crate) file: PathBuf,
     pub(crate) build: Arc<str>,
     pub(crate) ends_alone: bool,
@@ -170,12 +187,15 @@ pub(crate) struct Parts {
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, file, build, ends_alone, enough } = parts;
+        let Parts { hub, door, studio, screen, printer, inbox, file, build, ends_alone, enough } = parts;
         Ok(Desk {
             hub,
             door,
             studio,
             screen,
+            printer,
+            inbox,
+            orders: Vec::new(),
             file,
             build,
             model: Model::default(),
@@ -200,6 +220,7 @@ impl Desk {
             seq: 0,
             ends_alone,
             enough,
+            saving: 0,
         })
     }
 
@@ -241,12 +262,19 @@ impl Desk {
                     (self.show.ev, self.metered) = (Some(ev), true);
                     self.tell_patch(json!({"display": self.display()}));
                 }
-                Event::Saved { saved } => {
-                    self.saved = saved;
-                    if self.unsaved.is_some() && self.saved["state"] == "saved" {
+                Event::Saved { saved, times } => {
+                    self.saving = self.saving.saturating_sub(times);
+                    let before = std::mem::replace(&mut self.saved, saved);
+                    if self.saved["state"] == "failed" {
+                        // Until there is room again, or another folder.
+                        self.save_in(AGAIN);
+                    } else if self.unsaved.is_some() {
                         self.saved["state"] = "waiting".into();
                     }
-                    self.tell_patch(json!({"saved": self.saved}));
+                    if self.saved != before {
+                        self.tell_patch(json!({"saved": self.saved}));
+                    }
+                    self.print();
                 }
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
@@ -267,6 +295,16 @@ impl Desk {
                     let event = json!({"is": "event", "what": "reloaded", "kept": self.history.steps(), "lost": lost});
                     self.hub.tell_all(&event);
                 }
+                Event::Made { client, id, done } => {
+                    let answer = match done {
+                        Ok(name) => {
+                            json!({"is": "answer", "id": id, "name": name, "url": format!("/made/{name}")})
+                        }
+                        Err(why) => json!({"is": "answer", "id": id, "why": why}),
+                    };
+                    self.hub.tell(client, &answer);
+                    self.print();
+                }
                 Event::Idle => self.save(None),
                 Event::Refused { why } => {
                     if let Some(editor) = self.editor {
@@ -279,29 +317,43 @@ impl Desk {
         self.end_gesture();
         self.save(None);
         self.hub.tell_all(&json!({"is": "event", "what": "bye"}));
+        self.printer.end();
         self.studio.end();
         self.screen.end();
     }
 
     /// What happens next; nothing for a while, where edits wait to be saved.
     fn next(&self, events: &Receiver<Event>) -> Option<Event> {
-        let Some(since) = self.unsaved else { return events.recv().ok() };
-        match events.recv_timeout(SOON.saturating_sub(since.elapsed())) {
+        let Some(due) = self.unsaved else { return events.recv().ok() };
+        let left = due.saturating_duration_since(Instant::now());
+        // However much happens, saving has its turn.
+        if left.is_zero() {
+            return Some(Event::Idle);
+        }
+        match events.recv_timeout(left) {
             Ok(event) => Some(event),
             Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
             Err(RecvTimeoutError::Disconnected) => None,
         }
     }
 
+    /// Edits are to be written down before so long.
+    fn save_in(&mut self, wait: Duration) {
+        let due = Instant::now() + wait;
+        self.unsaved = Some(self.unsaved.map_or(due, |own| own.min(due)));
+    }
+
     /// Has the edits written down, if there are some, or as a version of a name.
     fn save(&mut self, name: Option<String>) {
         if self.unsaved.take().is_some() || name.is_some() {
+            self.saving += 1;
             self.studio.save(saving::kept(&self.model), name);
         }
     }
 
     fn join(&mut self, client: u64, role: Role) {
         self.clients.insert(client, role);
+        self.studio.watched(true);
         if role == Role::Edit && self.editor.is_none() {
             self.pass_pen(Some(client));
         }
@@ -316,6 +368,7 @@ impl Desk {
 
     fn leave(&mut self, client: u64) {
         self.clients.remove(&client);
+        self.studio.watched(!self.clients.is_empty());
         if self.editor == Some(client) {
             self.end_gesture();
             let next = self.clients.iter().find(|(_, role)| **role == Role::Edit).map(|(id, _)| *id);
@@ -392,7 +445,7 @@ impl Desk {
             }
             Do::Set { patch } => {
                 let label = state::label(&self.model, &patch);
-                self.in_gesture(&label, |desk| desk.edit(seq, *patch, 0.0))
+                self.in_gesture(seq, &label, |desk| desk.edit(seq, *patch, 0.0))
             }
             Do::End { label } => {
                 if let (Some(gesture), Some(label)) = (&mut self.gesture, label) {
@@ -401,10 +454,7 @@ impl Desk {
                 self.end_gesture();
                 Ok(false)
             }
-            Do::Cancel => match self.gesture.take() {
-                Some(gesture) => self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced),
-                None => Ok(false),
-            },
+            Do::Cancel => self.cancel_gesture(seq),
             Do::Undo | Do::Redo => {
                 self.end_gesture();
                 let undo = matches!(what, Do::Undo);
@@ -435,56 +485,29 @@ impl Desk {
             Do::Links { what, role, id } => self.links(client, &what, role, id).map(|()| false),
             Do::Add { lamp } => {
                 let new: NewLamp = serde_json::from_value(*lamp).map_err(|e| e.to_string())?;
-                self.in_gesture("Add a lamp", |desk| {
+                self.in_gesture(seq, "Add a lamp", |desk| {
                     let light = new.light(desk.model.lamps.len(), desk.down())?;
                     desk.add(seq, light, None)
                 })
             }
             Do::Copy { lamps, count, step } => {
-                self.in_gesture("Copy", |desk| desk.copy(seq, &lamps, count, step))
+                self.in_gesture(seq, "Copy", |desk| desk.copy(seq, &lamps, count, step))
             }
             Do::Remove { lamps } => {
                 let gone = LampPatch { gone: Some(true), ..LampPatch::default() };
                 let lamps = lamps.into_iter().map(|id| (id, gone.clone())).collect();
-                self.in_gesture("Remove", |desk| desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0))
+                self.in_gesture(seq, "Remove", |desk| {
+                    desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0)
+                })
             }
             Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),
             Do::Save { name } => {
-                self.unsaved.get_or_insert_with(Instant::now);
+                self.save_in(SOON);
                 self.save(name);
                 Ok(false)
             }
         }
-    }
-
-    fn answer(&mut self, client: u64, id: u32, question: Question) -> Result<bool, String> {
-        let what = match question {
-            Question::Point { frame, x, y } => {
-                let frame = self.screen.frame(frame).ok_or("this frame is too old to ask about")?;
-                let inside = |at: f32, size: u32| (0.0..=size as f32).contains(&at);
-                if !inside(x, frame.size[0]) || !inside(y, frame.size[1]) {
-                    return Err("this lies outside of the frame".into());
-                }
-                What::Pixel(frame, [x, y])
-            }
-            Question::Ray { origin, direction } => {
-                let direction = direction.try_normalize().filter(|_| origin.is_finite());
-                What::Ray(Ray::new(origin, direction.ok_or("this ray leads nowhere")?))
-            }
-            Question::Light { point, normal } => {
-                let normal = normal.try_normalize().filter(|_| point.is_finite());
-                What::Light(Meter { position: point, normal: normal.ok_or("this point faces nowhere")? })
-            }
-            Question::Command => {
-                let text = self.command();
-                self.hub.tell(client, &json!({"is": "answer", "id": id, "text": text}));
-                return Ok(false);
-            }
-            Question::Picture { .. } => return Err("this desk saves no pictures: render the document".into()),
-        };
-        self.studio.ask(Asked { client, id, what });
-        Ok(false)
     }
 
     fn display_as(&mut self, patch: &Value) -> Result<(), String> {

@@ -7,6 +7,7 @@
 use crate::error::{Error, Result};
 use std::collections::BTreeMap;
 use std::net::{IpAddr, SocketAddr};
+use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use subtle::ConstantTimeEq;
@@ -42,6 +43,9 @@ pub(crate) struct Pass {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Refusal(pub(crate) u16, pub(crate) &'static str);
 
+/// Random bytes of a key.
+const KEY: usize = 24;
+
 /// Wrong keys that are heard in [`PATIENCE`]; then all wait.
 const TRIES: usize = 10;
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -67,22 +71,34 @@ struct Inside {
 }
 
 impl Door {
-    /// A door at the address that is listened on, with a link to edit.
-    pub(crate) fn new(address: SocketAddr) -> Result<Door> {
+    /// A door at the address that is listened on, with a link to edit. Its key is that of the last time, if a file keeps it,
+    /// so that a page that is open finds back.
+    pub(crate) fn new(address: SocketAddr, keeps: Option<&Path>) -> Result<Door> {
         let cookie = format!("lampyris-{}", secret(6)?);
         let door = Door { address, cookie, inside: Mutex::default() };
-        door.make(Role::Edit)?;
+        let key = match keeps.and_then(kept) {
+            Some(key) => key,
+            None => secret(KEY)?,
+        };
+        if let Some(file) = keeps {
+            // Without it pages must be opened by the new link, and that is all.
+            let _ = keep(file, &key);
+        }
+        door.add(Role::Edit, key);
         Ok(door)
     }
 
     /// One link more.
     pub(crate) fn make(&self, role: Role) -> Result<Link> {
-        let key = secret(24)?;
+        Ok(self.add(role, secret(KEY)?))
+    }
+
+    fn add(&self, role: Role, key: String) -> Link {
         let mut inside = self.inside();
         inside.made += 1;
         let link = Link { id: inside.made, role, key };
         inside.links.push(link.clone());
-        Ok(link)
+        link
     }
 
     /// A link is not one any more, and nobody is in by it.
@@ -185,6 +201,28 @@ impl Door {
     }
 }
 
+/// The key that a file keeps, if it is one, and nobody else's file.
+fn kept(file: &Path) -> Option<String> {
+    let data = std::fs::symlink_metadata(file).ok().filter(|data| data.is_file())?;
+    #[cfg(unix)]
+    if std::os::unix::fs::PermissionsExt::mode(&data.permissions()) & 0o077 != 0 {
+        return None;
+    }
+    let key = std::fs::read_to_string(file).ok().filter(|_| data.len() == 2 * KEY as u64)?;
+    key.bytes().all(|b| b.is_ascii_hexdigit()).then_some(key)
+}
+
+/// Keeps a key in a file that only the user may read.
+fn keep(file: &Path, key: &str) -> std::io::Result<()> {
+    file.parent().map_or(Ok(()), std::fs::create_dir_all)?;
+    let _ = std::fs::remove_file(file);
+    let mut options = std::fs::OpenOptions::new();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    std::io::Write::write_all(&mut options.open(file)?, key.as_bytes())
+}
+
 /// So many random bytes, in hexadecimal digits.
 fn secret(bytes: usize) -> Result<String> {
     let mut random = vec![0; bytes];
@@ -198,7 +236,7 @@ mod tests {
     use super::*;
 
     fn door(address: &str) -> Door {
-        Door::new(address.parse().unwrap()).unwrap()
+        Door::new(address.parse().unwrap(), None).unwrap()
     }
 
     #[test]
@@ -262,6 +300,26 @@ mod tests {
         assert_eq!(door.enter(&key, now).unwrap_err().0, 429);
         assert!(door.enter(&key, now + PATIENCE).is_ok());
         assert_eq!(key.len(), 48);
+    }
+
+    #[test]
+    fn a_key_is_kept_where_only_the_user_reads_it() {
+        let file = std::env::temp_dir().join(format!("lampyris-key-{}", std::process::id()));
+        let key = || {
+            let door = Door::new("127.0.0.1:4000".parse().unwrap(), Some(&file)).unwrap();
+            door.links()[0].key.clone()
+        };
+        let first = key();
+        assert_eq!(key(), first);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o644)).unwrap();
+            assert_ne!(key(), first, "others may have read it");
+        }
+        std::fs::write(&file, "short").unwrap();
+        assert_eq!(key().len(), 48);
+        std::fs::remove_file(&file).unwrap();
     }
 
     #[test]

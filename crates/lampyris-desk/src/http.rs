@@ -6,6 +6,7 @@ use crate::door::{Door, Refusal};
 use crate::error::{Error, Result};
 use crate::hub::Hub;
 use crate::page;
+use crate::printer::Printer;
 use http_body_util::{BodyExt, Full, Limited};
 use hyper::body::{Bytes, Incoming};
 use hyper::header::{self, HeaderName, HeaderValue};
@@ -35,6 +36,9 @@ const POSTED: usize = 1024;
 const POLICY: &str = "default-src 'self'; img-src 'self' blob:; style-src 'self'; connect-src 'self'; \
                       base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
+/// Where pictures to keep are.
+const MADE: &str = "/made/";
+
 type Answer = Response<Full<Bytes>>;
 
 /// What a server needs.
@@ -44,6 +48,7 @@ pub(crate) struct Server {
     pub(crate) hub: Arc<Hub>,
     pub(crate) inbox: Inbox,
     pub(crate) build: Arc<str>,
+    printer: Arc<Printer>,
     clients: Arc<AtomicU64>,
 }
 
@@ -56,8 +61,8 @@ pub(crate) fn listen(address: SocketAddr) -> Result<std::net::TcpListener> {
 }
 
 impl Server {
-    pub(crate) fn new(door: Arc<Door>, hub: Arc<Hub>, inbox: Inbox) -> Server {
-        Server { door, hub, inbox, build: page::build().into(), clients: Arc::default() }
+    pub(crate) fn new(door: Arc<Door>, hub: Arc<Hub>, inbox: Inbox, printer: Arc<Printer>) -> Server {
+        Server { door, hub, inbox, printer, build: page::build().into(), clients: Arc::default() }
     }
 
     /// Serves on a thread of its own, for good.
@@ -137,6 +142,7 @@ impl Server {
         match (request.method(), path.as_str()) {
             (&Method::POST, "/enter") => self.enter(request).await,
             (&Method::GET, "/wire") => self.upgrade(request),
+            (&Method::GET, path) if path.starts_with(MADE) => self.made(&request),
             (&Method::GET | &Method::HEAD, path) => match page::FILES.iter().find(|file| file.path == path) {
                 Some(file) => Ok(self.file(file, &request)),
                 None => Err(Refusal(404, "there is no such page")),
@@ -160,6 +166,18 @@ impl Server {
         answer
     }
 
+    /// A picture that was asked for. Only who came in may have it.
+    fn made(&self, request: &Request<Incoming>) -> std::result::Result<Answer, Refusal> {
+        self.door.admit(cookies(request))?;
+        let name = request.uri().path().trim_start_matches(MADE);
+        let none = Refusal(404, "there is no such picture");
+        let mut answer = Response::new(Full::from(self.printer.picture(name).ok_or(none)?));
+        let kind = if name.ends_with(".png") { "image/png" } else { "image/x-exr" };
+        answer.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(kind));
+        answer.headers_mut().insert(header::CONTENT_DISPOSITION, HeaderValue::from_static("attachment"));
+        Ok(answer)
+    }
+
     async fn enter(self, request: Request<Incoming>) -> std::result::Result<Answer, Refusal> {
         #[derive(serde::Deserialize)]
         struct Key {
@@ -181,8 +199,7 @@ impl Server {
 
     fn upgrade(self, mut request: Request<Incoming>) -> std::result::Result<Answer, Refusal> {
         let headers = request.headers();
-        let cookies = headers.get(header::COOKIE).and_then(|value| value.to_str().ok());
-        let pass = self.door.admit(cookies)?;
+        let pass = self.door.admit(cookies(&request))?;
         let says = |name: HeaderName, word: &str| {
             let value = headers.get(name).and_then(|value| value.to_str().ok()).unwrap_or_default();
             value.split(',').any(|part| part.trim().eq_ignore_ascii_case(word))
@@ -210,4 +227,8 @@ impl Server {
         own.into_iter().for_each(|(name, value)| drop(answer.headers_mut().insert(name, value)));
         Ok(answer)
     }
+}
+
+fn cookies(request: &Request<Incoming>) -> Option<&str> {
+    request.headers().get(header::COOKIE).and_then(|value| value.to_str().ok())
 }

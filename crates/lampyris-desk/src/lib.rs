@@ -22,6 +22,7 @@ mod model;
 mod opening;
 mod page;
 mod patch;
+mod printer;
 mod saver;
 mod saving;
 mod screen;
@@ -37,6 +38,8 @@ pub use studio::Opened;
 use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
+use lampyris::document;
+use printer::Printer;
 use screen::Screen;
 use std::fmt::Display;
 use std::net::SocketAddr;
@@ -48,12 +51,15 @@ use studio::Studio;
 /// How a desk is set up.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Where to listen; port 0 for a free one.
+    /// Where to listen; port 0 for a free one. At any other the link is the same each time, kept in the user's folder for
+    /// state: a page that is open finds back to a desk that was started again.
     pub address: SocketAddr,
     /// Whether the address may be reached from other machines.
     pub exposed: bool,
     /// The file that the scene comes from.
     pub file: PathBuf,
+    /// The program, of which pictures to keep are asked.
+    pub program: PathBuf,
     /// Width and height of pictures before a page says what it has room for [pixels].
     pub size: [u32; 2],
     /// Batches after which a picture is finished.
@@ -92,15 +98,21 @@ pub fn serve<E: From<Error> + Display + Send>(
     let address = listener
         .local_addr()
         .map_err(|e| Error::CannotListen { address: options.address, reason: e.to_string() })?;
-    let door = Arc::new(Door::new(address)?);
+    let name = format!("desk-{}.key", address.port());
+    let keeps =
+        document::state_folder().filter(|_| options.address.port() != 0).map(|state| state.join(name));
+    let door = Arc::new(Door::new(address, keeps.as_deref())?);
     let (inbox, events) = Inbox::new();
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
-    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone());
+    let printer = Arc::new(Printer::new(options.program.clone()));
+    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone());
     let parts = Parts {
         hub: hub.clone(),
         door: door.clone(),
         studio: studio.clone(),
         screen: screen.clone(),
+        printer,
+        inbox: inbox.clone(),
         file: options.file.clone(),
         build: server.build.clone(),
         ends_alone: options.ends_with_page,

@@ -8,7 +8,7 @@ use crate::wire;
 use glam::{Affine3A, Quat, Vec3};
 use lampyris::Rgb;
 use lampyris::light::LightKind;
-use lampyris::material::Material;
+use lampyris::material::{Bsdf, Material};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -133,6 +133,20 @@ impl Touched {
             looks: patch.looks.keys().copied().collect(),
             meters: patch.meters.keys().copied().collect(),
             grids: patch.grids.keys().copied().collect(),
+        }
+    }
+
+    /// Takes in what becomes otherwise by it: groups that lamps came into or left, and where lamps were sorted into layers
+    /// anew, all of them.
+    pub(crate) fn spread(&mut self, model: &Model, inverse: &Patch, sorted: bool) {
+        for (id, before) in &inverse.lamps {
+            if before.group.is_some() || before.gone.is_some() {
+                let now = model.lamps.get(*id as usize).map(|lamp| lamp.group);
+                self.groups.extend(before.group.into_iter().chain(now));
+            }
+        }
+        if sorted {
+            self.lamps.extend(0..model.lamps.len() as u32);
         }
     }
 }
@@ -325,15 +339,44 @@ impl Coating {
         if !shares.into_iter().all(share) {
             return Err("reflectances and roughness lie between 0 and 1".into());
         }
-        let own = &mut self.shall;
-        let optional = |own: &mut Option<f32>, new: Option<f32>| new.and_then(|new| own.replace(new));
-        let inverse = MaterialPatch {
-            color: patch.color.and_then(|new| own.color.replace(new)),
-            roughness: optional(&mut own.roughness, patch.roughness),
-            specular: optional(&mut own.specular, patch.specular),
-            transmittance: patch.transmittance.and_then(|new| own.transmittance.replace(new)),
-        };
-        Ok(inverse)
+        let (file, own) = (self.of_file(), &mut self.shall);
+        // What a material does not have is nothing to it; who wants what the file has wants the file's.
+        fn set<T: Copy + PartialEq>(own: &mut Option<T>, file: Option<T>, shall: Option<T>) -> Option<T> {
+            let (file, shall) = (file?, shall?);
+            let before = own.unwrap_or(file);
+            *own = (shall != file).then_some(shall);
+            Some(before)
+        }
+        Ok(MaterialPatch {
+            color: set(&mut own.color, file.color, patch.color),
+            roughness: set(&mut own.roughness, file.roughness, patch.roughness),
+            specular: set(&mut own.specular, file.specular, patch.specular),
+            transmittance: set(&mut own.transmittance, file.transmittance, patch.transmittance),
+        })
+    }
+
+    /// What the file has, of what its kind has.
+    pub(crate) fn of_file(&self) -> MaterialPatch {
+        let none = MaterialPatch::default();
+        let rgb = |color: Rgb| Some(color.to_array());
+        match &self.file.bsdf {
+            Bsdf::Diffuse(m) => MaterialPatch { color: rgb(m.reflectance), ..none },
+            Bsdf::Ward(m) => MaterialPatch {
+                color: rgb(m.base.reflectance),
+                roughness: Some(m.alpha),
+                specular: Some(m.specular.luminance()),
+                ..none
+            },
+            Bsdf::Dielectric(m) => {
+                MaterialPatch { transmittance: rgb(m.transmittance), roughness: Some(m.alpha), ..none }
+            }
+            Bsdf::Pbr(m) => MaterialPatch {
+                color: rgb(m.base_color),
+                roughness: Some(m.roughness),
+                specular: Some(m.specular),
+                ..none
+            },
+        }
     }
 }
 

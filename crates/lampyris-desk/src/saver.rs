@@ -41,14 +41,16 @@ impl Drop for Saver {
 fn run(opened: &document::Opened, waiting: &Receiver<(Document, Option<String>)>, inbox: &Inbox) {
     let mut place = None;
     while let Ok(mut next) = waiting.recv() {
+        let mut times = 1;
         while next.1.is_none()
             && let Ok(later) = waiting.try_recv()
         {
             next = later;
+            times += 1;
         }
         let saved = write(opened, &mut place, &next)
             .unwrap_or_else(|error| json!({"state": "failed", "file": null, "why": error.to_string()}));
-        inbox.put(Event::Saved { saved });
+        inbox.put(Event::Saved { saved, times });
     }
 }
 

@@ -2,7 +2,7 @@
 //! find them as they left them. Lamps and objects go by their names; of those that are as in the file nothing is kept.
 
 use crate::model::{Body, Group, Lamp, Model, Thing};
-use crate::patch::{ColorPatch, LampPatch, MaterialPatch, Place};
+use crate::patch::{LampPatch, MaterialPatch, Place};
 use glam::{Affine3A, Vec3};
 use lampyris::Rgb;
 use lampyris::light::LightKind;
@@ -108,19 +108,11 @@ pub(crate) fn kept(model: &Model) -> Value {
 }
 
 fn lamp(own: &Lamp) -> KeptLamp {
-    let color = own.color;
-    let color = ColorPatch {
-        mode: Some(color.mode),
-        kelvin: Some(color.kelvin),
-        tint: Some(color.tint),
-        rgb: Some(color.rgb),
-        xy: Some(color.xy),
-    };
     let shall = LampPatch {
         name: None,
         on: Some(own.on),
         level: Some(own.level),
-        color: Some(color),
+        color: Some(own.color.whole()),
         group: Some(own.group),
         parked: Some(own.parked),
         place: Some(own.place.clone()),

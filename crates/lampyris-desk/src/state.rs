@@ -1,8 +1,7 @@
 //! What all are told of the model, as docs/wire.md says.
 
-use crate::color::Color;
 use crate::model::{Body, Coating, Group, Lamp, Model, Thing, Touched};
-use crate::patch::{ColorPatch, GroupPatch, LampPatch, Patch};
+use crate::patch::{GroupPatch, LampPatch, Patch};
 use crate::studio::{Found, Progress};
 use glam::Vec3;
 use lampyris::Rgb;
@@ -31,8 +30,9 @@ pub(crate) fn whole(model: &Model, scene: &Scene) -> Value {
     };
     let mut whole = of(model, scene, &touched);
     for slice in ["lamps", "groups", "things", "materials", "views", "looks", "meters", "grids"] {
-        if whole[slice].is_null() {
-            whole[slice] = json!({});
+        match &mut whole[slice] {
+            Value::Object(entries) => entries.retain(|_, entry| !entry.is_null()),
+            none => *none = json!({}),
         }
     }
     whole
@@ -53,9 +53,7 @@ pub(crate) fn of(model: &Model, scene: &Scene, touched: &Touched) -> Value {
             patch.insert(name.into(), entries(ids, entry));
         }
     };
-    put("lamps", &lamps, &|id| {
-        model.lamps.get(id as usize).map_or(Value::Null, |own| lamp(model, scene, own))
-    });
+    put("lamps", &lamps, &|id| model.lamps.get(id as usize).map_or(Value::Null, |own| lamp(scene, own)));
     put("groups", &touched.groups, &|id| group(model, id));
     put("things", &touched.things, &|id| model.things.get(id as usize).map_or(Value::Null, thing));
     put("materials", &touched.materials, &|id| {
@@ -74,7 +72,7 @@ pub(crate) fn of(model: &Model, scene: &Scene, touched: &Touched) -> Value {
     patch.into()
 }
 
-fn lamp(model: &Model, scene: &Scene, own: &Lamp) -> Value {
+fn lamp(scene: &Scene, own: &Lamp) -> Value {
     if own.gone {
         return Value::Null;
     }
@@ -95,7 +93,6 @@ fn lamp(model: &Model, scene: &Scene, own: &Lamp) -> Value {
         "name": own.name, "kind": kind, "on": own.on, "level": own.level, "color": own.color, "flux": own.flux,
         "swatch": swatch.to_array(), "group": own.group, "layer": layer, "free": layer.is_some(), "parked": own.parked,
         "own": own.own, "place": own.place, "box": own.bounds.map(|bounds| shifted(bounds, own.place.position)),
-        "shown": model.level_of(own),
     })
 }
 
@@ -248,15 +245,8 @@ pub(crate) fn measured(note: &Value, told: &Value) -> Value {
 /// What all faders stand at.
 pub(crate) fn faders(model: &Model) -> Patch {
     let lamp = |own: &Lamp| {
-        let Color { mode, kelvin, tint, rgb, xy } = own.color;
-        let color = ColorPatch {
-            mode: Some(mode),
-            kelvin: Some(kelvin),
-            tint: Some(tint),
-            rgb: Some(rgb),
-            xy: Some(xy),
-        };
-        LampPatch { on: Some(own.on), level: Some(own.level), color: Some(color), ..LampPatch::default() }
+        let color = Some(own.color.whole());
+        LampPatch { on: Some(own.on), level: Some(own.level), color, ..LampPatch::default() }
     };
     let lamps = (0..).zip(&model.lamps).filter(|(_, own)| !own.gone).map(|(id, own)| (id, lamp(own)));
     let groups = (0..).zip(&model.groups).filter(|(_, own)| !own.gone);

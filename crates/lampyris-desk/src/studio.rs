@@ -50,6 +50,9 @@ const SKETCHED: u32 = 4;
 const METERED: u32 = 64;
 const METER_PATHS: u32 = 512;
 
+/// Batches that are drawn while nobody looks on.
+const UNSEEN: u32 = 8;
+
 /// Relative error at which what lights a point is known.
 const ENOUGH_KNOWN: f32 = 0.01;
 
@@ -88,6 +91,8 @@ struct Stage {
     document: Document,
     saver: Saver,
     look: Arc<Look>,
+    /// The last camera that was no section: that one is kept.
+    plain: Camera,
     camera: Arc<CameraText>,
     size: [u32; 2],
     sketch: [u32; 2],
@@ -125,13 +130,16 @@ enum Turn {
 /// Opens a scene and renders it until the end; if its file changes meanwhile, with the edits made here.
 pub(crate) fn run(
     studio: &Studio,
-    opened: Opened,
+    mut opened: Opened,
     options: &Options,
     screen: &Screen,
     inbox: &Inbox,
 ) -> Result<()> {
+    // Who saves needs no scene, and it may be large.
+    let scene = std::mem::take(&mut opened.document.scene);
     let saver = Saver::start(opened.document.clone(), inbox.clone())?;
     let document = opened.document.document.clone();
+    opened.document.scene = scene;
     let mut stage = Stage::open(opened, document, saver, options, inbox)?;
     while let Some((mut opened, desk)) = stage.work(studio, screen, inbox)? {
         let document = stage.document(desk)?;
@@ -139,10 +147,11 @@ pub(crate) fn run(
         opened.document.scene = scene;
         opened.document.warnings.extend(lost.iter().map(|lost| format!("an edit is left out: {lost}")));
         opened.camera = Some(stage.look.camera());
-        let Stage { saver, size, camera, .. } = stage;
+        let Stage { saver, size, camera, look, plain, .. } = stage;
         let options = Options { size, ..options.clone() };
         stage = Stage::open(opened, document, saver, &options, inbox)?;
-        stage.camera = camera;
+        stage.session.cut(look.near)?;
+        (stage.camera, stage.look, stage.plain) = (camera, look, plain);
         inbox.put(Event::Reloaded { lost });
     }
     Ok(())
@@ -191,7 +200,7 @@ impl Stage {
         let first = || scene.view.clone().or_else(|| scene.cameras.first().cloned());
         let camera = camera.or_else(first).unwrap_or_else(|| cpu.install(found));
         let look = Arc::new(Look::from(&camera));
-        world.apply(&Edit::View { camera: Some(camera) })?;
+        world.apply(&Edit::View { camera: Some(camera.clone()) })?;
         let mut model = opening::open(&world);
         let lost = saving::restore(&mut model, &own.desk);
         let lost = lost.into_iter().map(|lost| format!("not found any more: {lost}"));
@@ -206,6 +215,7 @@ impl Stage {
             saver,
             camera: Arc::new(camera_text(&look, 0)),
             look,
+            plain: camera,
             size,
             sketch: [0; 2],
             enough: batches,
@@ -220,7 +230,8 @@ impl Stage {
 
     /// What was edited, with what the desk keeps.
     fn document(&self, desk: Value) -> Result<Document> {
-        let mut document = Document::of(&self.before, self.session.scene()?);
+        let scene = Scene { view: Some(self.plain.clone()), ..document::outline(self.session.scene()?) };
+        let mut document = Document::of(&self.before, &scene);
         document.scene = self.document.scene.clone();
         (document.layers, document.desk) = (Some(GROUPS as u32), desk);
         Ok(document)
@@ -230,7 +241,8 @@ impl Stage {
     fn work(&mut self, studio: &Studio, screen: &Screen, inbox: &Inbox) -> Result<Option<(Opened, Value)>> {
         let mut last = Turn::Meters;
         loop {
-            let (turn, until) = self.turn(last);
+            let watched = studio.watched.load(Ordering::Relaxed);
+            let (turn, until) = self.turn(last, watched);
             let mut work = studio.take(until);
             let reload = work.reload.take();
             if work.ended || reload.is_some() {
@@ -239,7 +251,7 @@ impl Stage {
             }
             self.follow(work, inbox)?;
             // What was asked may have changed whose turn it is.
-            let Some(turn) = self.turn(last).0.or(turn) else { continue };
+            let Some(turn) = self.turn(last, watched).0.or(turn) else { continue };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
             let done = match turn {
@@ -274,8 +286,11 @@ impl Stage {
     }
 
     /// Whose turn it is, if it is anybody's, and until when there is nothing to do but what is asked.
-    fn turn(&mut self, last: Turn) -> (Option<Turn>, Option<Instant>) {
+    fn turn(&mut self, last: Turn, watched: bool) -> (Option<Turn>, Option<Instant>) {
         let now = Instant::now();
+        if !watched && self.batches() >= UNSEEN {
+            return (None, Some(now + REST));
+        }
         let rest = self.moved.map(|at| at + REST).filter(|rest| *rest > now);
         let sketched = self.session.sketched().map_or(0, Sums::batches);
         if let Some(rest) = rest {
@@ -333,6 +348,9 @@ impl Stage {
                 self.session.cut(look.near)?;
             }
             self.session.edit(&Edit::View { camera: Some(look.camera()) })?;
+            if look.near == 0.0 {
+                self.plain = look.camera();
+            }
             self.look = Arc::new(look);
         }
         if let Some(meters) = work.meters {

@@ -10,13 +10,16 @@ use std::time::{Duration, Instant};
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
+/// Text by number.
+type Item = Box<dyn Fn(usize) -> String>;
+
 /// Bytes of memory for each byte of a file; an object of one field takes most.
 const EACH: usize = 128;
 
 #[test]
 fn floods_take_little() {
     let numbered = |k: usize| format!("\"{k}\": {{}}");
-    let floods: [(&str, &str, Box<dyn Fn(usize) -> String>, &str); 9] = [
+    let floods: [(&str, &str, Item, &str); 9] = [
         ("objects", "\"desk\": [", Box::new(|_| "{\"\":0}".into()), "]"),
         ("lists", "\"desk\": [", Box::new(|_| "[]".into()), "]"),
         ("keys", "\"desk\": {", Box::new(|k| format!("\"{k}\":0")), "}"),

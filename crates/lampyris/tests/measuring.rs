@@ -98,6 +98,11 @@ fn what_has_no_answer_has_none() {
     };
     let met = [0.5, 5.5, 6.5, 7.5, 8.5, 20.0].map(|x| look(x).is_some());
     assert_eq!(met, [true, false, true, false, true, false]);
+    // A section sees what lies behind the plane: from beneath the floor, nothing.
+    let eye = Vec3::new(0.5, 0.5, -3.0);
+    let camera = Camera { name: String::new(), eye, target: eye + Vec3::Z, up: Vec3::Y, fov_y: 1.0 };
+    let sections = [2.9, 3.1].map(|near| receivers(&world, &View::new(&camera, 1, 1).cut(near))[0]);
+    assert_eq!(sections.map(|meter| meter.map(|m| m.normal)), [Some(Vec3::NEG_Z), None]);
     assert_eq!(illuminance(Rgb::WHITE, Rgb::new(0.5, 0.5, 0.001)), None);
     assert_eq!(illuminance(Rgb::WHITE, Rgb::BLACK), None);
     let lux = illuminance(Rgb::new(0.2, 0.4, 0.1), Rgb::new(0.2, 0.4, 0.1)).expect("a colour");

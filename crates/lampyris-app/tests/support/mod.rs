@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each file of tests uses some of it")]
 
 pub(crate) mod desk;
+pub(crate) mod dice;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

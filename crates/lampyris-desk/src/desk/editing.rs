@@ -1,63 +1,80 @@
 //! How a desk edits: patches to the model, what follows from them to the renderer, and gestures to the log.
 
-use super::Desk;
+use super::{Desk, SOON};
 use crate::adding;
 use crate::edits::{edits, lit_at};
 use crate::history::Gesture;
 use crate::mixer::mix;
-use crate::model::{Body, Group, Touched};
-use crate::patch::{LampPatch, Patch, Place};
+use crate::model::{Body, Group, Lamp, Touched};
+use crate::patch::{GroupPatch, LampPatch, Mode, Patch, Place};
 use crate::state;
 use glam::Vec3;
-use lampyris::light::Light;
+use lampyris::light::{Light, State};
 use lampyris::scene::Edit;
 use serde_json::{Value, json};
-use std::time::Instant;
 
 /// The group of lamps that were added.
 const ADDED: &str = "added";
 
+/// Most lamps that there may be before another is added, those that were taken away counted.
+const LAMPS: u32 = 4096;
+
 impl Desk {
-    /// Does something in the gesture at hand, or in one of its own.
-    pub(super) fn in_gesture<R>(&mut self, label: &str, done: impl FnOnce(&mut Desk) -> R) -> R {
+    /// Does something in the gesture at hand, or in one of its own, which never was where it is refused.
+    pub(super) fn in_gesture(
+        &mut self,
+        seq: u32,
+        label: &str,
+        done: impl FnOnce(&mut Desk) -> Result<bool, String>,
+    ) -> Result<bool, String> {
         let alone = self.gesture.is_none();
         if alone {
             let label = label.to_owned();
             self.gesture = Some(Gesture { label, forward: Patch::default(), inverse: Patch::default() });
         }
         let result = done(self);
-        if alone {
+        if alone && result.is_err() {
+            self.cancel_gesture(seq)?;
+        } else if alone {
             self.end_gesture();
         }
         result
     }
 
     /// A lamp more, of the next number, in a group. Undo takes it away, its number stays.
-    pub(super) fn add(&mut self, seq: u32, light: Light, group: Option<u32>) -> Result<bool, String> {
+    pub(super) fn add(&mut self, seq: u32, mut light: Light, group: Option<u32>) -> Result<bool, String> {
         let scene = self.scene.as_mut().ok_or("the scene is not there yet")?;
         let (number, id) = (scene.lights.len() as u32, self.model.lamps.len() as u32);
+        if id >= LAMPS {
+            return Err(format!("there is room for {LAMPS} lamps"));
+        }
+        // It comes as one that was taken away, and so does its group: that they are there now is what undo takes back.
+        light.state = State::Away;
         let edit = Edit::AddLight { light: light.clone() };
         scene.apply(&edit).map_err(|e| e.to_string())?;
         let emitter = adding::enter(scene, number);
-        let known = self.model.groups.iter().position(|own| own.name == ADDED && !own.gone);
+        let known = self.model.groups.iter().position(|own| own.name == ADDED);
         let group = group.or(known.map(|at| at as u32)).unwrap_or_else(|| {
-            self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: false });
+            self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: true });
             self.model.groups.len() as u32 - 1
         });
-        self.model.lamps.push(adding::lamp(number, &light, emitter, group));
+        let lamp = adding::lamp(number, &light, emitter, group);
+        self.model.lamps.push(Lamp { gone: true, ..lamp });
         self.studio.edit(vec![edit], seq);
-        let there = LampPatch { gone: Some(false), ..LampPatch::default() };
-        self.edit(seq, Patch { lamps: [(id, there)].into(), ..Patch::default() }, 0.0)?;
-        if let Some(gesture) = &mut self.gesture {
-            gesture.inverse.lamps.entry(id).or_default().gone = Some(true);
+        let lamp = LampPatch { gone: Some(false), ..LampPatch::default() };
+        let mut there = Patch { lamps: [(id, lamp)].into(), ..Patch::default() };
+        if self.model.groups.get(group as usize).is_some_and(|group| group.gone) {
+            let back = GroupPatch { gone: Some(false), ..GroupPatch::default() };
+            there.groups.insert(group, back);
         }
-        let touched = Touched { groups: [group].into(), ..Touched::default() };
-        let patch = self.scene.as_ref().map(|scene| state::of(&self.model, scene, &touched));
-        self.tell_patch(json!(patch));
-        Ok(true)
+        self.edit(seq, there, 0.0)
     }
 
     pub(super) fn copy(&mut self, seq: u32, lamps: &[u32], count: u32, step: Vec3) -> Result<bool, String> {
+        let all = self.model.lamps.len() + lamps.len().saturating_mul(count as usize);
+        if all > LAMPS as usize {
+            return Err(format!("there is room for {LAMPS} lamps"));
+        }
         for id in lamps {
             let own =
                 self.model.lamps.get(*id as usize).ok_or_else(|| format!("there is no lamp {id}"))?.clone();
@@ -79,7 +96,9 @@ impl Desk {
                 let light = Light::new(format!("{} {}", own.name, number + 1), kind);
                 self.add(seq, light, Some(own.group))?;
                 let id = self.model.lamps.len() as u32 - 1;
-                let like = LampPatch { level: Some(own.level), on: Some(own.on), ..LampPatch::default() };
+                let color = (own.color.mode != Mode::File).then(|| own.color.whole());
+                let (level, on) = (Some(own.level), Some(own.on));
+                let like = LampPatch { level, on, color, ..LampPatch::default() };
                 self.edit(seq, Patch { lamps: [(id, like)].into(), ..Patch::default() }, 0.0)?;
             }
         }
@@ -130,7 +149,7 @@ impl Desk {
             }
             _ => return Err("need store, recall, update, rename or remove".into()),
         };
-        self.in_gesture(&label, |desk| desk.edit(seq, patch, seconds))
+        self.in_gesture(seq, &label, |desk| desk.edit(seq, patch, seconds))
     }
 
     /// The way things fall.
@@ -140,15 +159,12 @@ impl Desk {
 
     /// An edit of the gesture at hand.
     pub(super) fn edit(&mut self, seq: u32, patch: Patch, seconds: f32) -> Result<bool, String> {
-        let (mut inverse, traced) = self.carry_out(seq, &patch, seconds)?;
+        let (inverse, traced) = self.carry_out(seq, &patch, seconds)?;
         if let Some(gesture) = &mut self.gesture {
             // Forth to the latest, back to the first.
-            let mut forward = patch;
-            forward.over(std::mem::take(&mut gesture.forward));
-            gesture.forward = forward;
-            let mut first = std::mem::take(&mut gesture.inverse);
-            first.over(std::mem::take(&mut inverse));
-            gesture.inverse = first;
+            let before = std::mem::replace(&mut gesture.forward, patch);
+            gesture.forward.over(before);
+            gesture.inverse.over(inverse);
         }
         Ok(traced)
     }
@@ -163,18 +179,20 @@ impl Desk {
     ) -> Result<(Patch, bool), String> {
         let Some(scene) = &mut self.scene else { return Err("the scene is not there yet".into()) };
         let inverse = self.model.apply(patch)?;
-        let touched = Touched::of(patch);
-        let before = (scene.clone(), ());
+        let mut touched = Touched::of(patch);
+        let before = scene.clone();
         let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
             let mixed = mix(&self.model, scene)?;
-            let traces = !traced.is_empty() || mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+            let sorted = mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
+            let traces = !traced.is_empty() || sorted;
             traced.extend(mixed);
-            Ok((traced, traces))
+            Ok((traced, traces, sorted))
         });
         match done {
-            Ok((edits, traced)) => {
+            Ok((edits, traced, sorted)) => {
+                touched.spread(&self.model, &inverse, sorted);
                 self.studio.edit(edits, seq);
-                self.unsaved.get_or_insert_with(Instant::now);
+                self.save_in(SOON);
                 self.screen.mix(self.colors(), seconds);
                 if !touched.meters.is_empty() || !touched.grids.is_empty() {
                     self.lay_out();
@@ -185,10 +203,20 @@ impl Desk {
                 Ok((inverse, traced))
             }
             Err(why) => {
-                *scene = before.0;
+                *scene = before;
                 self.model.apply(&inverse)?;
                 Err(why)
             }
+        }
+    }
+
+    /// The gesture at hand never was. Returns whether that asks for rays.
+    pub(super) fn cancel_gesture(&mut self, seq: u32) -> Result<bool, String> {
+        match self.gesture.take() {
+            Some(gesture) if gesture.inverse != Patch::default() => {
+                self.carry_out(seq, &gesture.inverse, 0.0).map(|(_, traced)| traced)
+            }
+            _ => Ok(false),
         }
     }
 

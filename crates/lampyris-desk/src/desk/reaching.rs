@@ -52,6 +52,6 @@ impl Desk {
                 patch.lamps.insert(*id, level);
             }
         }
-        self.in_gesture("Reach the targets", |desk| desk.edit(seq, patch, 0.0))
+        self.in_gesture(seq, "Reach the targets", |desk| desk.edit(seq, patch, 0.0))
     }
 }

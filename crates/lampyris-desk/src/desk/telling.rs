@@ -2,6 +2,8 @@
 
 use super::Desk;
 use crate::state;
+use crate::studio::GROUPS;
+use glam::Vec3;
 use lampyris::Rgb;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -73,22 +75,55 @@ impl Desk {
 
     /// The command line that renders what is seen.
     pub(super) fn command(&self) -> String {
-        let file = self.saved["file"].as_str().map_or_else(|| self.file.display().to_string(), str::to_owned);
-        let quoted = format!("'{}'", file.replace('\'', "'\\''"));
-        let view = self.look.as_ref().map_or(String::new(), |look| {
-            let [e, t, u] = [look.eye, look.target, look.up];
-            format!(
-                " --eye {},{},{} --target {},{},{} --up {},{},{} --fov {}",
-                e.x, e.y, e.z, t.x, t.y, t.z, u.x, u.y, u.z, look.fov
-            )
-        });
         let size = self.progress.as_ref().map_or([640, 480], |p| p.size);
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.,/+:=".contains(c);
+        let quoted = |arg: String| match arg.chars().all(plain) {
+            true => arg,
+            false => format!("'{}'", arg.replace('\'', "'\\''")),
+        };
+        let args: Vec<String> = self.arguments(size, self.enough).into_iter().map(quoted).collect();
+        format!("lampyris {} -o picture.png", args.join(" "))
+    }
+
+    /// The arguments that render what is seen, but for the file.
+    pub(super) fn arguments(&self, [width, height]: [u32; 2], batches: u32) -> Vec<String> {
+        let mut args = vec!["render".to_owned()];
+        let vector = |v: Vec3| format!("{},{},{}", v.x, v.y, v.z);
+        match self.saved["file"].as_str() {
+            Some(file) => args.push(file.into()),
+            // Sorted into groups as here, so that sums are rounded alike.
+            None => args.extend([self.file.display().to_string(), "--groups".into(), GROUPS.to_string()]),
+        }
+        if let Some(look) = &self.look {
+            let [eye, target, up] = [look.eye, look.target, look.up].map(vector);
+            let view = [("--eye", eye), ("--target", target), ("--up", up), ("--fov", look.fov.to_string())];
+            args.extend(view.into_iter().flat_map(|(name, value)| [name.to_owned(), value]));
+            if look.near > 0.0 {
+                args.extend(["--near".into(), look.near.to_string()]);
+            }
+        }
         let ev = self.show.ev.map_or("auto".into(), |ev| ev.to_string());
-        let (batches, tone) = (self.enough, self.show.tone.name());
-        format!(
-            "lampyris render {quoted}{view} --size {}x{} --batches {batches} --exposure {ev} --tone {tone} -o picture.png",
-            size[0], size[1]
-        )
+        let rest = [
+            ("--size", format!("{width}x{height}")),
+            ("--batches", batches.to_string()),
+            ("--exposure", ev),
+            ("--tone", self.show.tone.name().into()),
+        ];
+        args.extend(rest.into_iter().flat_map(|(name, value)| [name.to_owned(), value]));
+        args
+    }
+
+    /// Has the next picture made that is asked for, once all is saved.
+    pub(super) fn print(&mut self) {
+        if self.saving > 0 || self.orders.is_empty() {
+            return;
+        }
+        let order = self.orders.remove(0);
+        let args = self.arguments(order.size, order.batches);
+        let (client, id) = (order.client, order.id);
+        if let Err(why) = self.printer.start(order, &args, &self.inbox) {
+            self.hub.tell(client, &json!({"is": "answer", "id": id, "why": why}));
+        }
     }
 
     /// Level and colour of each layer as it is shown.

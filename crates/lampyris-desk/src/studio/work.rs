@@ -68,13 +68,26 @@ pub(crate) struct Found {
 pub(crate) struct Studio {
     work: Mutex<Work>,
     wake: Condvar,
+    /// Whether anybody looks on.
+    pub(super) watched: AtomicBool,
     /// What is to be done makes the batch at hand pointless, or shall not wait for it.
     pub(super) urgent: AtomicBool,
 }
 
 impl Studio {
     pub(crate) fn new() -> Studio {
-        Studio { work: Mutex::default(), wake: Condvar::new(), urgent: AtomicBool::new(false) }
+        Studio {
+            work: Mutex::default(),
+            wake: Condvar::new(),
+            watched: AtomicBool::new(false),
+            urgent: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether anybody looks on: if nobody does, no more is drawn than the first who comes is glad to see.
+    pub(crate) fn watched(&self, watched: bool) {
+        self.watched.store(watched, Ordering::Relaxed);
+        self.wake.notify_one();
     }
 
     /// Looks from elsewhere.
@@ -126,7 +139,11 @@ impl Studio {
 
     /// Writes the edits down, with what the desk wants to be kept; as a version of a name, if it has one.
     pub(crate) fn save(&self, desk: Value, name: Option<String>) {
-        self.put(false, |work| work.save = Some((desk, name)));
+        self.put(false, |work| {
+            // A version that was asked for and not made yet is one of what is now.
+            let asked = work.save.take().and_then(|(_, name)| name);
+            work.save = Some((desk, name.or(asked)));
+        });
     }
 
     fn put(&self, urgent: bool, put: impl FnOnce(&mut Work)) {

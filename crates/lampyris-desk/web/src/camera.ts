@@ -133,7 +133,8 @@ export function zoom(camera: Camera, view: Pinhole, x: number, y: number, factor
 /** From the same direction, so far away that a box fills two thirds of the picture. */
 export function frame(camera: Camera, box: [Vec, Vec], nearest = 0.4): Camera {
     const centre = middle(box);
-    const radius = Math.max(distance(box[0], box[1]) / 2, 0.15);
+    // A lamp that is a point is seen with what is around it.
+    const radius = Math.max(distance(box[0], box[1]) / 2, 0.5);
     const back = normal(sub(camera.eye, camera.target));
     if (camera.height) {
         const reach = dot(sub(camera.eye, centre), back);

@@ -21,7 +21,8 @@ export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLev
 export { closeWhat, what } from './lights';
 export { Item } from './menu';
 export {
-    back, cut, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName, viewSize,
+    back, camera, cut, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName,
+    viewSize,
 } from './navigate';
 export {
     candles, fade, fine, hands, houseLights, lampMarks, listing, lookOnly, maintenance, panels, singleKeys, theme,
@@ -33,8 +34,8 @@ export {
     chosenLamps, deselect, handles, hovered, nameOf, select, selection, spot, stepSelection, titleOf, tool, type Kind,
 } from './select';
 export {
-    display, editor, filterOf, grids, groups, history, lamps, layers, looks, materials, meters, output, scene, status,
-    things, views, type Slice,
+    display, editor, filterOf, grids, groups, history, lamps, layers, looks, lumensOf, materials, meters, output,
+    scene, status, things, views, type Slice,
 } from './store';
 export { css, fromHex, hex, mired } from './swatch';
 export { adding, free, onTool, positionOf, startTool } from './tools';

@@ -4,7 +4,7 @@ import { useRef } from 'preact/hooks';
 import { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLevel, type Strip } from './levels';
 import { fold, folded, pickRow, type Row } from './lamps';
 import { chosenLamps, hovered, selection } from './select';
-import { groups, lamps, output, solo } from './store';
+import { groups, lamps, lumensOf, solo } from './store';
 import type { Lamp } from './types';
 import { css } from './swatch';
 import { digits, format, percent, three } from './units';
@@ -33,13 +33,15 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
     if (!entry) return null;
     const members = group?.lamps ?? [row.id];
     const flux = lamp ? lamp.flux : members.reduce((sum, id) => sum + (lamps.get(id)?.flux ?? 0) * (lamps.get(id)?.level ?? 0), 0);
-    const lumens = lamp ? lamp.flux * output(lamp) : members.reduce((sum, id) => sum + (lamps.get(id)?.flux ?? 0) * output(lamps.get(id) as Lamp), 0);
+    const lumens = lumensOf(members);
     const selected = selection.value?.kind === row.kind && selection.value.ids.includes(row.id);
     const alone = members.length > 0 && members.every((id) => solo.value.includes(id));
     const muted = solo.value.length > 0 && !members.some((id) => solo.value.includes(id));
     const over = hovered.value?.kind === row.kind && hovered.value.id === row.id;
     const state = `${selected ? 'selected' : ''} ${entry.on && !lamp?.parked ? '' : 'off'} ${muted ? 'muted' : ''} ${over ? 'under' : ''}`;
     const locked = penless.value;
+    // By Tab one comes to the name and the fader of each row, and to the rest of it once it is selected.
+    const stop = selected ? 0 : -1;
     const drag = {
         begin: () => (fade.current = new Fade(strip)),
         end: () => {
@@ -61,7 +63,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
             onPointerEnter={() => (hovered.value = { kind: row.kind, id: row.id })}
             onPointerLeave={() => (hovered.value = null)}
         >
-            <button class="icon power" aria-pressed={entry.on} disabled={locked !== null} aria-label={`${entry.name} on`} title={locked ?? (entry.on ? 'On (O)' : 'Off (O)')} onClick={() => switchOn(strip, !entry.on)}>
+            <button class="icon power" tabIndex={stop} aria-pressed={entry.on} disabled={locked !== null} aria-label={`${entry.name} on`} title={locked ?? (entry.on ? 'On (O)' : 'Off (O)')} onClick={() => switchOn(strip, !entry.on)}>
                 <Icon name="power" />
             </button>
             <div class="top">
@@ -77,7 +79,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
                     {lamp && !lamp.free && <small class="traced" title={cost(lamp)}>↻<span class="spoken">re-trace</span></small>}
                 </button>
                 {lamp && <span class="tint"><i class="swatch" style={{ background: css(lamp.swatch) }} />{colorText(lamp)}</span>}
-                <button class="icon solo" aria-pressed={alone} aria-label={`Solo ${entry.name}`} title="Solo (I)" onClick={() => soloLamps(members)}>
+                <button class="icon solo" tabIndex={stop} aria-pressed={alone} aria-label={`Solo ${entry.name}`} title="Solo (I)" onClick={() => soloLamps(members)}>
                     <Icon name="solo" />
                 </button>
             </div>
@@ -105,6 +107,7 @@ export function FaderRow({ row, index, count }: { row: Row; index: number; count
                     step={0.01}
                     disabled={locked !== null}
                     why={locked}
+                    tabIndex={stop}
                     set={(apply) => (lamp ? typeLevel(selected && chosenLamps.peek().length > 1 ? chosenLamps.peek() : [row.id], apply) : typeGroupLevel(row.id, apply))}
                 />
                 <span class="lumens">{format(lumens, 'flux')}</span>

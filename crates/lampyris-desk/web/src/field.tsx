@@ -23,6 +23,7 @@ export interface FieldProps {
     open?: string;
     opened?: () => void;
     id?: string;
+    tabIndex?: number;
     text?: string;
 }
 
@@ -98,6 +99,7 @@ export function Field(props: FieldProps) {
             <input
                 ref={input}
                 id={props.id}
+                tabIndex={props.tabIndex}
                 type="text"
                 inputMode="text"
                 autoComplete="off"

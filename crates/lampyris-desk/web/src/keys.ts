@@ -75,7 +75,7 @@ const LETTERS: Record<string, string> = {
     home: 'home',
 };
 const SHIFTED: Record<string, string> = {
-    b: 'quantity', o: 'park', i: 'unsolo', l: 'from-lamp', g: 'grid', t: 'aim-here',
+    b: 'quantity', o: 'park', i: 'unsolo', l: 'from-lamp', g: 'grid', t: 'aim-here', n: 'place',
 };
 const PLACED: Record<string, string> = { Comma: 'darker', Period: 'brighter', Slash: 'expose' };
 const DIGITS: Record<string, string> = {

@@ -14,7 +14,7 @@ export const selection = signal<Selection | null>(null);
 export const hovered = signal<{ kind: Kind; id: Id } | null>(null);
 
 /** What the next click in the view does. */
-export type Tool = 'aim' | 'meter' | 'grid' | 'add' | 'marquee' | null;
+export type Tool = 'aim' | 'place' | 'meter' | 'grid' | 'add' | 'marquee' | null;
 export const tool = signal<Tool>(null);
 /** Handles that are shown for what is selected. */
 export const handles = signal<'move' | 'turn'>('move');

@@ -19,10 +19,15 @@ export const taken = signal<string | null>(null);
 export const loading = signal<{ file?: string; progress?: number; bytes?: number } | null>(null);
 
 export const stage = computed(() => status.value?.stage ?? 'loading');
-/** True if the picture needs fewer frames than there would be: the line is slow. */
-export const slow = computed(() => {
+/** True if for a while far fewer frames have come than the program makes: the line is slow. */
+export const slow = signal(false);
+let since = 0;
+effect(() => {
     const told = status.value?.fps ?? 0;
-    return stage.value === 'moving' && told > 6 && rate.value < 0.4 * told && rate.value < 5;
+    const lags = stage.value === 'moving' && told > 6 && rate.value < 0.4 * told && rate.value < 5;
+    if (!lags) since = 0;
+    else if (!since) since = performance.now();
+    slow.value = since > 0 && performance.now() - since > 2000;
 });
 
 export const state = computed<State>(() => {

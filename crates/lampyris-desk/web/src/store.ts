@@ -225,6 +225,14 @@ export function output(lamp: Lamp): number {
     return on ? lamp.level * (group?.level ?? 1) : 0;
 }
 
+/** Lumens that some lamps give now. One that is just going may still be in its group. */
+export function lumensOf(ids: Id[]): number {
+    return ids.reduce((sum, id) => {
+        const lamp = lamps.get(id);
+        return sum + (lamp ? lamp.flux * output(lamp) : 0);
+    }, 0);
+}
+
 /** True if there are lamps and none gives light. */
 export const dark = computed(() => {
     const all = lamps.all();

@@ -85,6 +85,7 @@ function markAt(x: number, y: number): { kind: 'lamp' | 'meter' | 'grid'; id: Id
 
 const TOOL_WORDS: Record<string, string> = {
     aim: 'Click what shall be lit. Esc to leave.',
+    place: 'Click the surface on which the lamp shall be. Esc to leave.',
     meter: 'Click where the meter shall lie. Esc to leave.',
     grid: 'Click two opposite corners of the area. Esc to leave.',
     add: 'Click where the lamp shall hang. Esc to leave.',

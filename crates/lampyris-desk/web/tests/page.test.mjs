@@ -155,6 +155,53 @@ test('a lamp is hung by pointing, aimed, copied, and taken away', { skip }, asyn
     await page.keyboard.press('Escape');
 });
 
+test('what is drawn over the picture stays on the lamp while one walks', { skip }, async () => {
+    const own = startProgram('scenes/cornell.mgf');
+    const other = await openPage(browser);
+    await other.page.goto(await own.link);
+    await waitState(other.page, 'refining', 'good', 'done');
+    await other.page.waitForSelector('.view-strip');
+    await other.page.locator('.fader-row .row-name').first().click();
+    const gaps = [];
+    for (let step = 0; step < 6; step++) {
+        await other.page.locator('#view').focus();
+        for (const key of step % 2 ? ['ArrowLeft', 'KeyW'] : ['ArrowRight', 'ArrowUp']) await other.page.keyboard.press(key, { delay: 60 });
+        await caughtUp(other.page);
+        await waitState(other.page, 'refining', 'good', 'done');
+        await other.page.waitForTimeout(300);
+        // Both of one moment: the box that is drawn, and the pixels that are as bright as can be.
+        const gap = await other.page.evaluate(() => {
+            const canvas = document.querySelector('.stage canvas');
+            const view = document.getElementById('view').getBoundingClientRect();
+            const scale = Math.min(view.width / canvas.width, view.height / canvas.height);
+            const [x0, y0] = [(view.width - canvas.width * scale) / 2, (view.height - canvas.height * scale) / 2];
+            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            const lit = [Infinity, Infinity, -Infinity, -Infinity];
+            for (let y = 0; y < canvas.height; y++) {
+                for (let x = 0; x < canvas.width; x++) {
+                    const k = 4 * (y * canvas.width + x);
+                    if (data[k] < 252 || data[k + 1] < 252 || data[k + 2] < 200) continue;
+                    lit[0] = Math.min(lit[0], x);
+                    lit[1] = Math.min(lit[1], y);
+                    lit[2] = Math.max(lit[2], x + 1);
+                    lit[3] = Math.max(lit[3], y + 1);
+                }
+            }
+            const box = document.querySelector('#overlay .boxes').getBBox();
+            const drawn = [box.x, box.y, box.x + box.width, box.y + box.height];
+            const inside = drawn[0] > x0 && drawn[1] > y0 && drawn[2] < view.width - x0 && drawn[3] < view.height - y0;
+            if (!inside || !Number.isFinite(lit[0])) return null;
+            const seen = [x0 + lit[0] * scale, y0 + lit[1] * scale, x0 + lit[2] * scale, y0 + lit[3] * scale];
+            return Math.max(...seen.map((v, k) => Math.abs(v - drawn[k])));
+        });
+        if (gap !== null) gaps.push(gap);
+    }
+    assert.ok(gaps.length >= 2, 'the lamp was seen');
+    assert.ok(gaps.every((gap) => gap <= 2), `gaps of ${gaps.map((gap) => gap.toFixed(1))} px`);
+    await other.page.context().close();
+    await own.end();
+});
+
 test('the program may be ended and started again: the page says so and comes back', { skip }, async () => {
     const own = startProgram('scenes/cornell.mgf');
     const link = await own.link;

@@ -7,6 +7,7 @@
 
 use crate::color::Rgb;
 use crate::eye::Meter;
+use crate::geometry::Ray;
 use crate::material::{Class, Material};
 use crate::scene::{Scene, View};
 use crate::world::World;
@@ -20,7 +21,10 @@ const LEAST: f32 = 0.01;
 pub fn receivers(world: &World, view: &View) -> Vec<Option<Meter>> {
     let pixels = (0..view.height).flat_map(|y| (0..view.width).map(move |x| (x, y)));
     let meter = |(x, y): (u32, u32)| {
-        let surface = world.closest(&view.ray(x as f32 + 0.5, y as f32 + 0.5))?;
+        let ray = view.ray(x as f32 + 0.5, y as f32 + 0.5);
+        // Of a section what is cut off is not there.
+        let start = ray.origin + ray.direction * view.skipped(ray.direction);
+        let surface = world.closest(&Ray::new(start, ray.direction))?;
         let dull = !surface.albedo(Class::Dull).is_black();
         dull.then(|| Meter { position: surface.spawn(surface.normal), normal: surface.normal })
     };

@@ -80,6 +80,7 @@ const list: Action[] = [
     { id: 'park', group: 'Lamps', label: 'Park: off, and not traced', keys: 'Shift+O', run: park, why: needLamp },
     { id: 'aim', group: 'Lamps', label: 'Aim by pointing', keys: 'T', run: () => startTool('aim'), why: needLamp },
     { id: 'aim-here', group: 'Lamps', label: 'Aim at the point under the pointer', keys: 'Shift+T', run: () => spot.peek() && aim(chosenLamps.peek(), spot.peek()!.point), why: needLamp },
+    { id: 'place', group: 'Lamps', label: 'Put on a surface by pointing', keys: 'Shift+N', run: () => startTool('place'), why: needLamp },
     { id: 'move', group: 'Lamps', label: 'Handles to move', keys: 'G', run: () => (handles.value = 'move') },
     { id: 'turn', group: 'Lamps', label: 'Handles to turn', keys: 'R', run: () => (handles.value = 'turn') },
     ...KINDS.map(([kind, name]) => ({

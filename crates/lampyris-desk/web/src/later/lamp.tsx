@@ -1,7 +1,7 @@
 // The inspector of lamps: light, beam, place, what is done with them.
 
 import {
-    act, chosenLamps, dot, edit, format, groups, handles, Icon, lamps, layers, normal, output, percent, positionOf,
+    act, chosenLamps, dot, edit, format, groups, handles, Icon, lamps, layers, lumensOf, normal, output, percent, positionOf,
     selection, signal, spot, sub, titleOf, tool, toLevel, toTravel, typeLevel, up, Fade, Field, wantLevel, compass,
     add, scale, length, Range, strokeLevel, useRef, type Lamp, type Place, type Strip, type Vec,
 } from '../desk';
@@ -45,7 +45,7 @@ function Tools({ ids, all }: { ids: number[]; all: Lamp[] }) {
 
 function LightPart({ ids, all }: { ids: number[]; all: Lamp[] }) {
     const level = common(all.map((lamp) => lamp.level));
-    const sum = all.reduce((total, lamp) => total + lamp.flux * output(lamp), 0);
+    const sum = lumensOf(ids);
     const free = all.every((lamp) => lamp.free);
     const lead = ids[ids.length - 1];
     return (
@@ -204,6 +204,7 @@ function PlacePart({ ids, all }: { ids: number[]; all: Lamp[] }) {
                     <button aria-pressed={handles.value === 'turn'} onClick={() => (handles.value = 'turn')}>Turn</button>
                 </div>
             </div>
+            <button class="plain full" aria-pressed={tool.value === 'place'} onClick={() => act('place')}>Put on a surface by pointing</button>
             {aimed.length > 0 && spot.value && (
                 <button class="plain full" onClick={() => act('aim-here')}>Aim at the last point</button>
             )}

@@ -1,11 +1,20 @@
 // What is in the menus of the bar.
 
 import {
-    digits, display, Field, go, houseLights, Item, Range, show, theme, walking,
+    camera, digits, display, Field, go, houseLights, Item, Range, show, theme, walking,
 } from '../desk';
 import { namedViews } from './actions';
 
+/** Half of a degree in radians. */
+const HALF = Math.PI / 360;
+
+function setAngle(fov: number): void {
+    const eye = camera.peek();
+    if (eye) go({ ...eye, fov: Math.max(3, Math.min(140, fov)) });
+}
+
 export function ViewItems() {
+    const eye = camera.value;
     const named = namedViews();
     return (
         <>
@@ -18,6 +27,19 @@ export function ViewItems() {
                 <button key={k} class="item" onClick={() => go(camera, name)}><span>{name}</span></button>
             ))}
             {named.length > 0 && <hr />}
+            {eye && !eye.height && (
+                <>
+                    <label class="line">
+                        <span>Angle</span>
+                        <Field label="Vertical angle of view" quantity="angle" value={eye.fov} step={1} set={(apply) => setAngle(apply(eye.fov))} />
+                    </label>
+                    <label class="line">
+                        <span>Focal length</span>
+                        <Field label="Focal length on 36 × 24 mm" quantity="number" value={Math.round(120 / Math.tan(eye.fov * HALF)) / 10} text={`${digits(12 / Math.tan(eye.fov * HALF), 1)} mm`} step={1} set={(apply) => setAngle(Math.atan(12 / Math.max(2, apply(12 / Math.tan(eye.fov * HALF)))) / HALF)} />
+                    </label>
+                    <hr />
+                </>
+            )}
             <Item id="walking" label={walking.value === 'walk' ? 'Walking; fly instead' : 'Flying; walk instead'} />
             <Item id="from-lamp" />
             {['default', 'blender', 'maya', 'trackpad'].map((id) => <Item key={id} id={`hands-${id}`} />)}

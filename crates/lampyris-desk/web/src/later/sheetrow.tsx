@@ -1,7 +1,7 @@
 // A lamp or a group as a line of the sheet.
 
 import {
-    act, colorText, cost, css, Field, groups, hovered, Icon, lamps, output, penless, pickRow, select, selection, switchOn, three, typeGroupLevel,
+    act, colorText, cost, css, Field, groups, hovered, Icon, lamps, lumensOf, penless, pickRow, select, selection, switchOn, three, typeGroupLevel,
     typeLevel, type Row,
 } from '../desk';
 
@@ -19,10 +19,7 @@ export function SheetRow({ row, index, count }: { row: Row; index: number; count
     const entry = lamp ?? group;
     if (!entry) return null;
     const selected = selection.value?.kind === row.kind && selection.value.ids.includes(row.id);
-    const lumens = lamp ? lamp.flux * output(lamp) : (group?.lamps ?? []).reduce((sum, id) => {
-        const member = lamps.get(id);
-        return sum + (member ? member.flux * output(member) : 0);
-    }, 0);
+    const lumens = lumensOf(group?.lamps ?? [row.id]);
     const locked = penless.value;
     const under = hovered.value?.kind === row.kind && hovered.value.id === row.id;
     return (

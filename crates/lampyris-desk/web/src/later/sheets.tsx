@@ -265,7 +265,10 @@ function Picture() {
         progress.value = 0;
         const [width, height] = [Number(value('width')), Number(value('height'))];
         ask('picture', { format: value('format'), width, height, batches: Number(value('batches')) }, (answer) => {
-            if (answer.url) {
+            if (answer.why) {
+                progress.value = null;
+                say(answer.why as string, 'warn');
+            } else if (answer.url) {
                 progress.value = null;
                 saveFile(answer.name as string, answer.url as string);
                 sheet.value = null;
@@ -286,7 +289,7 @@ function Picture() {
             {progress.value !== null && <progress max={1} value={progress.value} aria-label="Rendering" />}
             <footer>
                 <button onClick={() => act('command')}>Copy the command</button>
-                <button disabled={progress.value !== null} onClick={make}>{progress.value === null ? 'Render and save' : `${digits(progress.value * 100)} %`}</button>
+                <button disabled={progress.value !== null} onClick={make}>{progress.value === null ? 'Render and save' : progress.value ? `${digits(progress.value * 100)} %` : 'Rendering…'}</button>
             </footer>
         </Sheet>
     );

@@ -21,6 +21,10 @@ function apply(hit: Hit | null): void {
             aim(chosenLamps.peek(), hit.point);
             tool.value = null;
             break;
+        case 'place':
+            putOn(chosenLamps.peek(), hit);
+            tool.value = null;
+            break;
         case 'meter':
             addMeter(hit.point, hit.normal);
             tool.value = null;
@@ -65,6 +69,15 @@ export function selectNext(slice: Slice<object>, kind: Kind): void {
         queueMicrotask(() => stop());
     });
     setTimeout(() => stop(), 3000);
+}
+
+/** Puts the last of some lamps on a surface, clear of it, and the others beside it as they were. */
+function putOn(ids: Id[], hit: Hit): void {
+    const from = positions(ids);
+    const lead = from.get(ids[ids.length - 1]);
+    if (!lead) return say('What is selected has no place.', 'warn');
+    const clear = (lamps.get(ids[ids.length - 1])?.place?.radius ?? 0) + 0.02;
+    edit(`Put ${titleOf(ids)} on a surface`, placed(ids, sub(add(hit.point, scale(hit.normal, clear)), lead), from));
 }
 
 export function addMeter(point: Vec, axis: Vec): void {

@@ -2,7 +2,7 @@
 // error. It gets better while it is open, and follows the lamps.
 
 import {
-    chosenLamps, closeWhat, digits, hovered, Icon, luxText, nameOf, select, useEffect, useRef, viewSize, what,
+    chosenLamps, closeWhat, digits, hovered, Icon, lamps, luxText, nameOf, select, useEffect, useRef, viewSize, what,
     type Share,
 } from '../desk';
 import { addMeter, aim } from './tools';
@@ -23,7 +23,8 @@ export function What() {
     const shown = rows.slice(0, 9);
     const rest = sum - shown.reduce((s, r) => s + total(r), 0);
     const left = Math.max(8, Math.min(now.x + 12, w - 332));
-    const top = Math.max(8, Math.min(now.y + 12, h - 120 - 28 * Math.min(rows.length, 10)));
+    // As high as it is going to be, for it must not hang over the edge.
+    const top = Math.max(8, Math.min(now.y + 12, h - 150 - 35 * shown.length));
     const title = now.lux ? `${luxText(now.lux[0])} ±${luxText(now.lux[1], false)}` : 'Measuring…';
     return (
         <div
@@ -57,7 +58,7 @@ export function What() {
                             <span class="name">{nameOf('lamp', share.id)}</span>
                             <span class="figure">{digits((100 * total(share)) / sum, total(share) / sum < 0.0995 ? 1 : 0)} %</span>
                             <span class="figure lux">{luxText(total(share))} ±{luxText(error(share), false)}</span>
-                            <span class="bar" aria-hidden="true">
+                            <span class="shares" aria-hidden="true">
                                 <i class="direct" style={{ width: `${(100 * share.direct[0]) / sum}%` }} />
                                 <i class="indirect" style={{ width: `${(100 * share.indirect[0]) / sum}%` }} />
                                 <i class="caustic" style={{ width: `${(100 * share.caustic[0]) / sum}%` }} />
@@ -70,7 +71,7 @@ export function What() {
                     </li>
                 ))}
                 {rows.length > shown.length && (
-                    <li class="quiet">and {rows.length - shown.length} others, {luxText(rest)} together</li>
+                    <li class="quiet">{rows.length - shown.length === 1 ? 'one more' : `${rows.length - shown.length} more together`}: {luxText(rest)}</li>
                 )}
                 {!rows.length && <li class="quiet">{now.done ? 'No lamp reaches this point.' : 'Gathering light…'}</li>}
             </ol>
@@ -79,7 +80,7 @@ export function What() {
                 <span class="key indirect">indirect</span>
                 <span class="key caustic">caustic</span>
                 <span class="gap" />
-                {chosenLamps.value.length > 0 && (
+                {chosenLamps.value.some((id) => lamps.get(id)?.place?.direction) && (
                     <button onClick={() => aim(chosenLamps.peek(), now.hit.point)}>Aim here</button>
                 )}
                 <button onClick={() => addMeter(now.hit.point, now.hit.normal)}>Meter here</button>

@@ -1,0 +1,185 @@
+// The same by other hands: keys alone, fingers alone, other keyboards, a trackpad, a Mac.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { openBrowser, openPage, servePage } from './desk.mjs';
+import { speakFor, state } from './fake.mjs';
+
+let browser;
+let server;
+before(async () => ([browser, server] = await Promise.all([openBrowser(), servePage()])));
+after(async () => {
+    await browser.close();
+    await server.end();
+});
+
+async function desk(options) {
+    const { page, complaints } = await openPage(browser, options);
+    const spoken = await speakFor(page, state());
+    await page.goto(server.link);
+    await page.waitForFunction(() => window.__desk?.frame > 0 && document.querySelector('.view-strip') && document.querySelector('.inspector *'));
+    const heard = (what) => spoken.heard.filter((message) => message.do === what);
+    const until = async (test, why) => {
+        for (let k = 0; k < 100; k++) {
+            if (await test()) return;
+            await page.waitForTimeout(30);
+        }
+        assert.fail(why);
+    };
+    return { page, complaints, heard, until };
+}
+
+test('keys alone: find a lamp, set its level, switch it, solo it, undo, and leave', async () => {
+    const { page, heard, until, complaints } = await desk();
+    await page.keyboard.press('Control+k');
+    await page.keyboard.type('lamp 7');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('.inspector .name-field input')?.value === 'Lamp 7');
+    await page.locator('#view').focus();
+    await page.keyboard.press('4');
+    await page.waitForFunction(() => document.activeElement?.id === 'level');
+    await page.keyboard.type('0');
+    await page.keyboard.press('Enter');
+    await until(() => heard('set').some((m) => m.patch.lamps?.[7]?.level === 0.4), 'the level was not set');
+    assert.match(heard('begin')[0].label, /Lamp 7 80 → 40 %/);
+    await page.locator('#view').focus();
+    await page.keyboard.press('o');
+    await until(() => heard('set').some((m) => m.patch.lamps?.[7]?.on === false), 'it was not switched');
+    await page.keyboard.press('i');
+    await until(() => heard('solo').some((m) => m.lamps.includes(7)), 'no solo');
+    await page.keyboard.press('Control+z');
+    await until(() => heard('undo').length === 1, 'no undo');
+    const fader = page.locator('[data-row="lamp-7"] input.level');
+    await fader.focus();
+    const before = heard('set').length;
+    for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowDown');
+    await until(() => heard('set').length > before, 'the fader does not listen to keys');
+    await page.waitForTimeout(800);
+    assert.equal(heard('begin').length, heard('end').length, 'every step is ended');
+    await page.locator('#view').focus();
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape');
+    assert.notEqual(await page.evaluate(() => document.activeElement?.id), 'view');
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+});
+
+test('Tab reaches every control that is seen, and focus is never lost', async () => {
+    const { page } = await desk();
+    const seen = new Set();
+    await page.evaluate(() => document.body.focus());
+    for (let k = 0; k < 200; k++) {
+        await page.keyboard.press('Tab');
+        const what = await page.evaluate(() => {
+            const e = document.activeElement;
+            if (!e || e === document.body) return null;
+            const box = e.getBoundingClientRect();
+            return { name: e.getAttribute('aria-label') ?? e.textContent, shown: box.width > 0 && box.bottom > 0 && box.top < innerHeight };
+        });
+        if (!what) continue;
+        assert.ok(what.shown, `${what.name} has the focus and is not seen`);
+        seen.add(what.name);
+    }
+    for (const name of ['Lamp 0 level', 'False colour', 'Home', 'Store a look', 'Filter lamps']) assert.ok(seen.has(name), `${name} is not reached`);
+    await page.context().close();
+});
+
+test('walking keys are places, letters are letters: AZERTY and QWERTZ', async () => {
+    const { page, heard, until } = await desk();
+    const press = (key, code) => page.evaluate(async ([k, c]) => {
+        const view = document.getElementById('view');
+        view.focus();
+        view.dispatchEvent(new KeyboardEvent('keydown', { key: k, code: c, bubbles: true, cancelable: true }));
+        await new Promise((done) => setTimeout(done, 120));
+        view.dispatchEvent(new KeyboardEvent('keyup', { key: k, code: c, bubbles: true }));
+    }, [key, code]);
+    await press('z', 'KeyW');
+    await until(() => heard('camera').length > 0, 'Z of AZERTY does not walk');
+    const ahead = heard('camera').at(-1);
+    assert.ok(ahead.eye[0] > 0.6 && Math.abs(ahead.eye[2] - 1.6) < 1e-9, 'ahead, on the level');
+    const before = heard('camera').length;
+    await press('q', 'KeyA');
+    await until(() => heard('camera').length > before, 'Q of AZERTY does not step aside');
+    // Frames the selection: the letter F wherever it is.
+    const there = heard('camera').length;
+    await page.locator('[data-row="lamp-0"] .row-name').click();
+    await press('f', 'KeyX');
+    await until(() => heard('camera').length > there, 'F does not frame');
+    await page.context().close();
+});
+
+test('a trackpad pinches, wheels count lines or pages, a Mac has its own key', async () => {
+    const { page, heard, until } = await desk();
+    const wheel = (options) => page.evaluate((o) => {
+        const view = document.getElementById('view');
+        const box = view.getBoundingClientRect();
+        view.dispatchEvent(new WheelEvent('wheel', { bubbles: true, cancelable: true, clientX: box.x + box.width / 2, clientY: box.y + box.height / 2, ...o }));
+    }, options);
+    const moved = async (options, nearer) => {
+        const before = heard('camera').length;
+        await wheel(options);
+        await until(() => heard('camera').length > before, JSON.stringify(options));
+        const [a, b] = [heard('camera').at(-2) ?? { eye: [0.6, 0.6, 1.6] }, heard('camera').at(-1)];
+        const far = (p) => Math.hypot(p[0] - 4, p[1] - 3, p[2] - 0.75);
+        assert.equal(far(b.eye) < far(a.eye), nearer, JSON.stringify(options));
+    };
+    await moved({ deltaY: -120 }, true);
+    await moved({ deltaY: 3, deltaMode: 1 }, false);
+    await moved({ deltaY: -1, deltaMode: 2 }, true);
+    await moved({ deltaY: 8, ctrlKey: true }, false);
+    await page.locator('#view').focus();
+    await page.keyboard.press('Meta+z');
+    await until(() => heard('undo').length === 1, 'Cmd+Z');
+    await page.context().close();
+});
+
+async function touch(page, steps) {
+    const client = await page.context().newCDPSession(page);
+    for (const [type, points] of steps) {
+        await client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+        await page.waitForTimeout(30);
+    }
+}
+
+test('fingers: one looks, two pan and pinch, the lock keeps everything as it is, two faders are one step', async () => {
+    const { page, heard, until } = await desk({ width: 1180, height: 820, touch: true });
+    await page.evaluate(() => localStorage.setItem('lampyris-look-only', 'true'));
+    await page.reload();
+    await page.waitForFunction(() => window.__desk?.frame > 0 && document.querySelector('.view-strip'));
+    const view = await page.locator('#view').boundingBox();
+    const at = (x, y) => [view.x + view.width * x, view.y + view.height * y];
+    const cameras = () => heard('camera').length;
+    let before = cameras();
+    await touch(page, [['touchStart', [at(0.5, 0.4)]], ['touchMove', [at(0.55, 0.42)]], ['touchMove', [at(0.6, 0.44)]], ['touchEnd', []]]);
+    await until(() => cameras() > before, 'one finger does not look');
+    before = cameras();
+    await touch(page, [['touchStart', [at(0.45, 0.5), at(0.55, 0.5)]], ['touchMove', [at(0.42, 0.5), at(0.58, 0.5)]], ['touchMove', [at(0.38, 0.5), at(0.62, 0.5)]], ['touchEnd', []]]);
+    await until(() => cameras() > before, 'two fingers do not pinch');
+    // The lock: faders are shut, a tap selects nothing.
+    assert.ok(await page.locator('.fader-row input.level').first().isDisabled());
+    await touch(page, [['touchStart', [at(0.5, 0.5)]], ['touchEnd', []]]);
+    await page.waitForTimeout(200);
+    assert.equal(heard('set').length, 0);
+    await page.locator('.look-lock').tap();
+    await until(async () => !(await page.locator('.fader-row input.level').first().isDisabled()), 'the lock does not open');
+    const [a, b] = await Promise.all([0, 1].map((k) => page.locator('.fader-row input.level').nth(k).boundingBox()));
+    const on = (box, t) => [box.x + box.width * t, box.y + box.height / 2];
+    await touch(page, [
+        ['touchStart', [on(a, 0.8), on(b, 0.8)]], ['touchMove', [on(a, 0.7), on(b, 0.6)]], ['touchMove', [on(a, 0.6), on(b, 0.4)]],
+        ['touchMove', [on(a, 0.5), on(b, 0.3)]], ['touchEnd', []],
+    ]);
+    await until(() => heard('end').length >= 1, 'nothing was ended');
+    await page.waitForTimeout(300);
+    assert.equal(heard('begin').length, 1);
+    const touched = new Set(heard('set').flatMap((m) => [...Object.keys(m.patch.groups ?? {}).map((id) => `g${id}`), ...Object.keys(m.patch.lamps ?? {})]));
+    assert.ok(touched.size >= 2, `two faders moved: ${[...touched]}`);
+    await page.context().close();
+});
+
+test('without secure-context interfaces and with reduced motion it works all the same', async () => {
+    const { page, complaints } = await desk();
+    await page.emulateMedia({ reducedMotion: 'reduce', forcedColors: 'active' });
+    assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('.layers .dot, .dot')).animationName), 'none');
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+});
