@@ -120,10 +120,10 @@ async function area(before = '') {
 }
 const short = await area();
 console.log('3600 lm:', short);
-await person.type(level('panel_desk'), '6000 lm');
-await step('panel_desk 100 → 167 %');
+await person.type(level('panel_desk'), '7000 lm');
+await step('panel_desk 100 → 194 %');
 const enough = await area(short);
-console.log('6000 lm:', enough);
+console.log('7000 lm:', enough);
 assert.match(enough, /✓/);
 await photograph('area');
 await page.keyboard.press('Escape');
