@@ -53,6 +53,8 @@ struct Wanted {
     /// Level and colour of each layer, and those from which they are faded to.
     colors: Vec<Rgb>,
     fade: Option<Fade>,
+    /// When levels changed last: as long as a hand moves them, frames are made quickly rather than well.
+    handled: Option<Instant>,
     show: Show,
     /// The last message of the editor that was applied, and the last that asked for rays.
     seq: u32,
@@ -92,6 +94,9 @@ pub(crate) struct Frame {
     pub(crate) size: [u32; 2],
 }
 
+/// How long hands must rest until frames are made well again.
+const REST: Duration = Duration::from_millis(200);
+
 /// Frames that can be asked about.
 const ASKED: usize = 64;
 
@@ -121,6 +126,7 @@ impl Screen {
         self.change(|wanted| {
             let (from, _) = wanted.mix();
             let lasts = Duration::from_secs_f32(seconds.clamp(0.0, 3600.0));
+            wanted.handled = Some(Instant::now());
             wanted.fade = (seconds > 0.0).then(|| Fade { from, began: Instant::now(), lasts });
             wanted.colors = colors;
         });
@@ -148,10 +154,21 @@ impl Screen {
         loop {
             let mut wanted = self.wanted();
             while !wanted.changed && !wanted.ended {
-                wanted = self.wake.wait(wanted).unwrap_or_else(PoisonError::into_inner);
+                wanted = match wanted.handled.map(|at| REST.saturating_sub(at.elapsed())) {
+                    // What was made quickly is made well.
+                    Some(Duration::ZERO) => break,
+                    Some(left) => {
+                        self.wake.wait_timeout(wanted, left).unwrap_or_else(PoisonError::into_inner).0
+                    }
+                    None => self.wake.wait(wanted).unwrap_or_else(PoisonError::into_inner),
+                };
             }
             if wanted.ended {
                 return;
+            }
+            let handled = wanted.handled.is_some_and(|at| at.elapsed() < REST);
+            if !handled {
+                wanted.handled = None;
             }
             let (colors, fading) = wanted.mix();
             wanted.changed = fading;
@@ -161,6 +178,7 @@ impl Screen {
                 wanted.changed = false;
                 continue;
             };
+            let kind = if handled { Kind::Moving } else { kind };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
             wanted.number += 1;

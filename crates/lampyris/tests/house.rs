@@ -229,6 +229,7 @@ fn the_manual_states_the_defaults() {
 #[test]
 fn ci_runs_the_command_of_the_readme() {
     let command = "./test";
+    assert!(read("test").lines().any(|l| l == "cargo test --workspace --locked"));
     assert!(read("README.md").contains(&format!("```sh\n{command}\n```")));
     assert!(read(".ci/run").lines().any(|l| l == command));
 }

@@ -96,6 +96,7 @@ async function along(points) {
 }
 const wave = (k) => Math.sin((2 * Math.PI * k) / 50);
 
+if (wanted) await page.getByLabel('Filter lamps').fill(wanted);
 const row = wanted ? page.locator('.fader-row', { hasText: wanted }).first() : page.locator('.fader-row.lamp, .fader-row').nth(1);
 const fader = await row.locator('input.level').boundingBox();
 print('dimmer', await measure(['set'], () => along(Array.from({ length: events }, (_, k) => [fader.x + fader.width * (0.55 + 0.35 * wave(k)), fader.y + fader.height / 2]))));
