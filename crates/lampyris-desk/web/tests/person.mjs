@@ -124,7 +124,7 @@ export async function rested(page, batches = 4) {
     // Figures of the line at the bottom come a few times a second.
     await page.waitForTimeout(700);
     await page.waitForFunction((least) => {
-        const told = /(\d+) batches/.exec(document.querySelector('footer').innerText);
+        const told = /(\d+) batches/.exec(document.querySelector('footer.status').innerText);
         return document.querySelector('.quality:is(.refining, .good, .done)') && told && Number(told[1]) >= least;
     }, batches, { timeout: 120_000 });
 }

@@ -127,7 +127,6 @@ console.log('7000 lm:', enough);
 assert.match(enough, /✓/);
 await person.click(person.button('Meter once'));
 await photograph('area');
-await page.keyboard.press('Escape');
 
 // 7. False colour, from inside.
 await person.click(person.button('Inside'));
