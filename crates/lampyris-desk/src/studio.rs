@@ -276,13 +276,16 @@ impl Stage {
                     self.show(Turn::Sketch, seconds, screen, inbox)?;
                 }
                 Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
-                Turn::Meters => {
-                    if let Some(frame) = self.session.meters() {
-                        inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
-                    }
-                }
+                Turn::Meters => self.tell_readings(inbox),
                 Turn::Question => self.tell(inbox)?,
             }
+        }
+    }
+
+    /// Tells what the meters read, if they have begun to.
+    fn tell_readings(&self, inbox: &Inbox) {
+        if let Some(frame) = self.session.meters().filter(|frame| frame.batches() > 0) {
+            inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
         }
     }
 
@@ -317,6 +320,8 @@ impl Stage {
 
     /// Does what was asked.
     fn follow(&mut self, work: Work, inbox: &Inbox) -> Result<()> {
+        // A mix asks for no ray: what meters read of it is known at once.
+        let mixed = work.edits.iter().any(|(edit, _)| matches!(edit, Edit::Mix { .. }));
         for (edit, seq) in work.edits {
             match self.session.edit(&edit) {
                 Err(error) => inbox.put(Event::Refused { why: error.to_string() }),
@@ -328,6 +333,9 @@ impl Stage {
                     self.seq = self.seq.max(seq);
                 }
             }
+        }
+        if mixed {
+            self.tell_readings(inbox);
         }
         if let Some(size) = work.size.filter(|size| *size != self.size) {
             self.size = size;

@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var E, Xr, Mo, Fe, xo, Tn, Yr, Cn, Qr, Co, So, as, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ss = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function Jr(e, t, n) {
+function Zr(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
   return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Xr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Yr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -23,33 +23,33 @@ function Ne(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function ls(e) {
+function us(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ri(r, t, i), n.__ = n.__e = null, t.__e != o && Zr(t));
+  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
 }
-function Zr(e) {
+function ei(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), Zr(e);
+  }), ei(e);
 }
-function zr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ei);
+function Gr(e) {
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ti);
 }
-function ei() {
+function ti() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Yr), e = Fe.shift(), t = Fe.length, 8 & e.__g && ls(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
   } finally {
-    (Tn = Fe.length) && (xo || queueMicrotask)(ei);
+    (Tn = Fe.length) && (xo || queueMicrotask)(ti);
   }
 }
-function ti(e, t, n, o, r, i, a, s, p, c, u) {
+function ni(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = us(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ni(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function us(e, t, n, o, r) {
+function cs(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = cs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = fs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -60,18 +60,18 @@ function us(e, t, n, o, r) {
   if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
   return o;
 }
-function ni(e, t, n, o) {
+function oi(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ni(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = oi(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function cs(e, t, n, o) {
+function fs(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function cs(e, t, n, o) {
   }
   return -1;
 }
-function Gr(e, t, n) {
+function Xr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function Mn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Gr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Gr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = fs(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Qr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function fs(e) {
+function ps(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -118,7 +118,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ds), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ms), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
@@ -135,7 +135,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
       while (8 & f.__g && ++Je < 25);
       k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
         V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ti(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ni(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (V) {
       if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
@@ -154,9 +154,9 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
         (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || oi(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
     }
-  } else s = t.__e = ps(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = ds(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
 function En(e, t) {
@@ -168,10 +168,10 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function oi(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(oi));
+function ri(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ri));
 }
-function ri(e, t, n) {
+function ii(e, t, n) {
   for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
   E.__c && E.__c(t, e), e.some(function(r) {
     try {
@@ -183,7 +183,7 @@ function ri(e, t, n) {
     }
   });
 }
-function ps(e, t, n, o, r, i, a, s, p, c) {
+function ds(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function ps(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ss.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ti(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -223,12 +223,12 @@ function Lo(e, t, n) {
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ds(e, t, n) {
+function ms(e, t, n) {
   return this.constructor(e, n);
 }
-function ii(e, t) {
+function ai(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ri(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ii(r, t.__k, i), t.__k.props.children = null;
 }
 E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,19 +240,19 @@ E = { __e: function(e, t, n, o) {
     }
   }
   throw Tn = 0, e;
-} }, Xr = 0, Mo = function(e) {
+} }, Yr = 0, Mo = function(e) {
   return e != null && e.constructor === zt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), zr(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Gr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), zr(this));
-}, gt.prototype.render = X, Fe = [], Tn = 0, Yr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Gr(this));
+}, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Qr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, as = 0;
+}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, ai, ms = Object.is, Io = 0, hi = [], Ao = [], j = E, si = j.__b, li = j.__r, ui = j.diffed, ci = j.__c, fi = j.unmount, pi = j.__;
+var Xt, re, Vo, si, hs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
 function Oo(e, t) {
   j.__h && j.__h(re, e, Io || t), Io = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
@@ -262,7 +262,7 @@ function Ce(e, t) {
   var n = Oo(Xt++, 3);
   !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function hs(e, t) {
+function vs(e, t) {
   var n = Oo(Xt++, 4);
   !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
@@ -275,7 +275,7 @@ function Ln(e, t) {
   var n = Oo(Xt++, 7);
   return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function vs() {
+function gs() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
@@ -283,7 +283,7 @@ function vs() {
     } catch (n) {
       j.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = hi.shift(); ) {
+    for (; e = vi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
@@ -294,19 +294,19 @@ function vs() {
   } while (Ao.length);
 }
 j.__b = function(e) {
-  re = null, si && si(e);
+  re = null, li && li(e);
 }, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), pi && pi(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), di && di(e, t);
 }, j.__r = function(e) {
-  li && li(e), Xt = 0;
+  ui && ui(e), Xt = 0;
   var t = (re = e.__c).__H;
   t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Vo = re;
 }, j.diffed = function(e) {
-  ui && ui(e);
+  ci && ci(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && mi(hi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && hi(vi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Vo = re = null;
 }, j.__c = function(e, t) {
@@ -320,9 +320,9 @@ j.__b = function(e) {
         throw o;
       }];
     }
-  }), ci && ci(e, t);
+  }), fi && fi(e, t);
 }, j.unmount = function(e) {
-  fi && fi(e);
+  pi && pi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, mi(Ao.push(r));
+        r.__P = n, hi(Ao.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
-var di = typeof requestAnimationFrame == "function";
-function gs(e) {
+var mi = typeof requestAnimationFrame == "function";
+function bs(e) {
   var t, n = function() {
-    clearTimeout(o), di && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  di && (t = requestAnimationFrame(n));
+  mi && (t = requestAnimationFrame(n));
 }
-function mi(e) {
-  e != 1 && ai == j.requestAnimationFrame || ((ai = j.requestAnimationFrame) || gs)(vs);
+function hi(e) {
+  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || bs)(gs);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -358,12 +358,12 @@ function Ro(e) {
 }
 function Ho(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !ms(n, e[o]);
+    return !hs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var bs = /* @__PURE__ */ Symbol.for("preact-signals");
+var ys = /* @__PURE__ */ Symbol.for("preact-signals");
 function Rn() {
   if (Re > 1)
     Re--;
@@ -380,7 +380,7 @@ function Rn() {
       var n = Qt;
       for (Qt = void 0, Vn++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && gi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && bi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -393,7 +393,7 @@ function Rn() {
 }
 function On(e) {
   if (Re > 0) return e();
-  Ko = ++ys, Re++;
+  Ko = ++_s, Re++;
   try {
     return e();
   } finally {
@@ -410,8 +410,8 @@ function ie(e) {
     O = t, Yt = n;
   }
 }
-var Qt = void 0, Re = 0, Vn = 0, ys = 0, Ko = 0, In = void 0, An = 0;
-function vi(e) {
+var Qt = void 0, Re = 0, Vn = 0, _s = 0, Ko = 0, In = void 0, An = 0;
+function gi(e) {
   if (O !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== O)
@@ -423,7 +423,7 @@ function vi(e) {
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = bs;
+Y.prototype.brand = ys;
 Y.prototype.h = function() {
   return !0;
 };
@@ -469,7 +469,7 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = vi(this);
+  var e = gi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
@@ -487,11 +487,11 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
 function g(e, t) {
   return new Y(e, t);
 }
-function gi(e) {
+function bi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function bi(e) {
+function yi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,7 +500,7 @@ function bi(e) {
     }
   }
 }
-function yi(e) {
+function _i(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -514,17 +514,17 @@ tt.prototype = new Y();
 tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !gi(this))
+  if (this.g = An, this.f |= 1, this.i > 0 && !bi(this))
     return this.f &= -2, !0;
   var e = O;
   try {
-    bi(this), O = this;
+    yi(this), O = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, yi(this), this.f &= -2, !0;
+  return O = e, _i(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -547,14 +547,14 @@ tt.prototype.N = function() {
 };
 Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = vi(this);
+  var e = gi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
   return new tt(e, t);
 }
-function _i(e) {
+function wi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Re++;
@@ -571,11 +571,11 @@ function _i(e) {
 }
 function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, _i(e);
+  e.x = void 0, e.s = void 0, wi(e);
 }
-function _s(e) {
+function ws(e) {
   if (O !== this) throw new Error("Out-of-order effect");
-  yi(this), O = e, this.f &= -2;
+  _i(this), O = e, this.f &= -2;
   try {
     8 & this.f && Do(this);
   } finally {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, _i(this), bi(this), Re++;
+  this.f |= 1, this.f &= -9, wi(this), yi(this), Re++;
   var e = O;
-  return O = this, _s.bind(this, e);
+  return O = this, ws.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, ws = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, wi = [], ki = [];
+var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
 T(function() {
   Fo = this.N;
 })();
@@ -637,7 +637,7 @@ function Jt(e) {
   }
   Hn = e && e.S();
 }
-function xi(e) {
+function Si(e) {
   var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Ln(function() {
@@ -651,7 +651,7 @@ function xi(e) {
     }), u = N(function() {
       return !Array.isArray(c.value) && !Mo(c.value);
     }), d = T(function() {
-      if (this.N = Si, u.value) {
+      if (this.N = Mi, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function xi(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-xi.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Jr(X, null).constructor }, type: { configurable: !0, value: xi }, props: { configurable: !0, get: function() {
+Si.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Zr(X, null).constructor }, type: { configurable: !0, value: Si }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        ws && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        ks && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,18 +712,18 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = ks(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = xs(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function ks(e, t, n, o) {
+function xs(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: T(function() {
-    this.N = Si;
+    this.N = Mi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -777,71 +777,187 @@ function nt(e, t) {
     return g(e, t);
   }, []);
 }
-var xs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Ss = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Ss = function(e) {
+}, Ms = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Ms() {
-  On(function() {
-    for (var e; e = wi.shift(); ) Fo.call(e);
-  });
-}
 function Cs() {
-  wi.push(this) === 1 && (E.requestAnimationFrame || xs)(Ms);
-}
-function Es() {
   On(function() {
     for (var e; e = ki.shift(); ) Fo.call(e);
   });
 }
-function Si() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Es);
+function Es() {
+  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
 }
-function Mi(e, t) {
+function Ts() {
+  On(function() {
+    for (var e; e = xi.shift(); ) Fo.call(e);
+  });
+}
+function Mi() {
+  xi.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+}
+function Ci(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
   Ce(function() {
     return T(function() {
-      if (this.N = Cs, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Es, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
-// src/prefs.ts
-var Ci = "lampyris-";
-function ue(e, t) {
-  let n = t;
-  try {
-    let r = localStorage.getItem(Ci + e);
-    r !== null && (n = JSON.parse(r));
-  } catch {
-  }
-  let o = g(n);
-  return T(() => {
-    let r = JSON.stringify(o.value);
-    try {
-      localStorage.setItem(Ci + e, r);
-    } catch {
-    }
-  }), o;
+// src/vec.ts
+var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
+  e[1] * t[2] - e[2] * t[1],
+  e[2] * t[0] - e[0] * t[2],
+  e[0] * t[1] - e[1] * t[0]
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ps = (e, t, n) => I(S(e, 1 - n), S(t, n));
+function J(e, t = [0, 0, 1]) {
+  let n = Oe(e);
+  return n > 1e-12 ? S(e, 1 / n) : t;
 }
-var No = ue("theme", "dark"), qo = ue("house-lights", 1), Kn = ue("hands", "default"), jo = ue("walking", "walk"), Uo = ue("panels", !0), _t = ue("listing", "faders"), Dn = ue("travel", "square"), wt = ue("candles", "lx"), Wo = ue("single-keys", !0), Bo = ue("lamp-marks", !0), Ts = ue("maintenance", 1), qe = ue("fine", !1), zo = ue("fade", 1), Ps = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ge = ue("look-only", Ps);
+function ot(e) {
+  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
+  return J(ge(t, e));
+}
+function en(e, t, n) {
+  let o = Math.cos(n), r = Math.sin(n);
+  return I(I(S(e, o), S(ge(t, e), r)), S(t, q(t, e) * (1 - o)));
+}
+function _t([e, t]) {
+  return Array.from({ length: 8 }, (n, o) => [
+    o & 1 ? t[0] : e[0],
+    o & 2 ? t[1] : e[1],
+    o & 4 ? t[2] : e[2]
+  ]);
+}
+var qe = ([e, t]) => Ps(e, t, 0.5);
+
+// src/camera.ts
+var No = Math.PI / 180, Kn = 89 * No;
+function wt(e, t, n) {
+  let o = J(K(e.target, e.eye), [0, 0, -1]), r = J(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * No * 0.5) / n;
+  return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
+}
+function tn(e, t) {
+  let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
+}
+function $s(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
+  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
+}
+function Ei(e, t, n, o) {
+  let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
+  return { ...e, up: t, target: I(e.eye, S(d, i)) };
+}
+function Ti(e, t, n, o, r) {
+  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
+  return je(e, c);
+}
+function Pi(e, t, n, o, r) {
+  let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), ot(i));
+  return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
+}
+function je(e, t) {
+  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+}
+function $i(e, t, n, o, r) {
+  let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Kn, Math.min(Kn, a + r)), p = J(ge(i, t), J(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
+  return {
+    ...e,
+    up: t,
+    eye: I(n, c(K(e.eye, n))),
+    target: I(n, c(K(e.target, n)))
+  };
+}
+function Li(e, t, n, o, r) {
+  let i = t.parallel ? t.pixel : t.pixel * r;
+  return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
+}
+function Dn(e, t, n, o, r) {
+  let i = K(t, e.eye), a = Oe(i);
+  if (a < 1e-9) return e;
+  let s = a * (1 - n);
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), je(e, S(i, s / a));
+}
+function Fn(e, t, n, o, r) {
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
+    S(t.side, (n - t.width / 2) * a),
+    S(t.up, (t.height / 2 - o) * a)
+  );
+  return { ...je(e, s), height: i };
+}
+function Vi(e, t, n = 0.4) {
+  let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
+  if (e.height) {
+    let s = q(K(e.eye, o), i);
+    return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
+  }
+  let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
+  return { ...e, eye: I(o, S(i, a)), target: o };
+}
+var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
+function Ii(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
+  return { right: J(ge(n, e)), ahead: n };
+}
+function Ai(e, t, n, o) {
+  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
+    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
+    north: { forward: i, up: n, side: r, cut: 0.25 },
+    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
+    east: { forward: r, up: n, side: i, cut: 0.25 },
+    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], u = s(c.forward), d = 1, m = K(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
+  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
+}
+function nn(e, t) {
+  let n = (r, i) => He(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+  return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
+}
+
+// src/counters.ts
+var ae = {
+  frame: 0,
+  seqApplied: 0,
+  frames: [],
+  sent: [],
+  entered: 0,
+  firstDrawn: 0
+}, Ri = 0;
+for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
+  addEventListener(e, (t) => Ri = t.timeStamp, { capture: !0, passive: !0 });
+function Oi(e, t) {
+  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Ri }), ae.sent.length > 1024 && ae.sent.shift();
+}
+function Hi(e) {
+  ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
+    let t = new MessageChannel();
+    t.port1.onmessage = () => {
+      e.painted = performance.now(), t.port1.close();
+    }, t.port2.postMessage(0);
+  });
+}
+window.__desk = ae;
 
 // src/store.ts
-var Fn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function nn(e, t) {
+var Nn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function an(e, t) {
   if (!kt(e) || !kt(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = nn(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = an(n[o], r);
   return n;
 }
-var en = class {
+var on = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -857,9 +973,9 @@ var en = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: nn(i, r), seq: n });
+      this.own.set(o, { value: an(i, r), seq: n });
     }
-    Fn.add(this), this.show();
+    Nn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -873,7 +989,7 @@ var en = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && Fn.delete(this), n && this.show();
+    this.own.size === 0 && Nn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -885,7 +1001,7 @@ var en = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Ei(e) {
+function Ki(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -917,137 +1033,102 @@ var Ee = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new en(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new on(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Ei(a.shown.peek()) !== Ei(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new en(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Ki(a.shown.peek()) !== Ki(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, S = new Ee(), K = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Nn = new Ee(), tn = {
-  lamps: S,
-  groups: K,
+}, M = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), qn = new Ee(), rn = {
+  lamps: M,
+  groups: D,
   things: be,
   materials: xt,
   views: St,
   looks: Mt,
   meters: Ct,
-  grids: Nn
-}, J = g(null), on = g([]), ke = g([]), ot = g({ undo: null, redo: null, steps: 0 }), rt = g({ state: "clean", file: "" }), D = g({ you: !0, name: null }), Te = g(null), qn = new en({
+  grids: qn
+}, Z = g(null), sn = g([]), ke = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), jn = new on({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), it = qn.shown, Go = {
-  scene: J,
-  layers: on,
+}), at = jn.shown, qo = {
+  scene: Z,
+  layers: sn,
   solo: ke,
-  history: ot,
-  saved: rt,
-  editor: D,
+  history: rt,
+  saved: it,
+  editor: F,
   status: Te
 };
-function Ti(e) {
-  Fn.clear();
-  for (let [t, n] of Object.entries(tn)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Go)) t in e && (n.value = e[t]);
-  kt(e.display) && qn.receive(e.display);
+function Di(e) {
+  Nn.clear();
+  for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(qo)) t in e && (n.value = e[t]);
+  kt(e.display) && jn.receive(e.display);
 }
-function Pi(e, t) {
+function Fi(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in tn ? tn[n].patch(o) : n === "display" ? qn.receive(o) : n in Go && (Go[n].value = o);
+    n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in qo && (qo[n].value = o);
   Et(t);
 }
 function Et(e) {
-  for (let t of [...Fn]) t.release(e);
+  for (let t of [...Nn]) t.release(e);
 }
-function $i(e, t) {
+function Ni(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in tn && kt(o))
+    if (n in rn && kt(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = tn[n].entry(Number(r));
+        let a = rn[n].entry(Number(r));
         a && kt(i) && t(a, i);
       }
-    else n === "display" && kt(o) && t(qn, o);
+    else n === "display" && kt(o) && t(jn, o);
 }
-var Xo = (e, t) => $i(e, (n, o) => n.keep(o, t)), jn = (e, t) => $i(e, (n, o) => n.settle(o, t));
-function at(e) {
-  let t = K.get(e.group);
+var jo = (e, t) => Ni(e, (n, o) => n.keep(o, t)), Un = (e, t) => Ni(e, (n, o) => n.settle(o, t));
+function st(e) {
+  let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-function Yo(e) {
+function Uo(e) {
   return e.reduce((t, n) => {
-    let o = S.get(n);
-    return t + (o ? o.flux * at(o) : 0);
+    let o = M.get(n);
+    return t + (o ? o.flux * st(o) : 0);
   }, 0);
 }
-var Li = N(() => {
-  let e = S.all();
-  return e.length > 0 && e.every(([, t]) => at(t) === 0);
+var qi = N(() => {
+  let e = M.all();
+  return e.length > 0 && e.every(([, t]) => st(t) === 0);
 });
-function $s(e, t) {
+function Vs(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
-// src/say.ts
-var st = g([]), Ls = 0;
-function ae(e, t = "plain") {
-  if (st.peek().find((r) => r.text === e)) return;
-  let o = ++Ls;
-  st.value = [...st.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => Qo(o), t === "warn" ? 8e3 : 4e3);
-}
-function Qo(e) {
-  st.value = st.peek().filter((t) => t.id !== e);
-}
-
-// src/counters.ts
-var se = {
-  frame: 0,
-  seqApplied: 0,
-  frames: [],
-  sent: [],
-  entered: 0,
-  firstDrawn: 0
-}, Vi = 0;
-for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Vi = t.timeStamp, { capture: !0, passive: !0 });
-function Ii(e, t) {
-  se.sent.push({ seq: e, what: t, at: performance.now(), input: Vi }), se.sent.length > 1024 && se.sent.shift();
-}
-function Ai(e) {
-  se.frame = e.frame, se.seqApplied = e.seq, se.firstDrawn ||= e.drawn, se.frames.push(e), se.frames.length > 1024 && se.frames.shift(), requestAnimationFrame(() => {
-    let t = new MessageChannel();
-    t.port1.onmessage = () => {
-      e.painted = performance.now(), t.port1.close();
-    }, t.port2.postMessage(0);
-  });
-}
-window.__desk = se;
-
 // src/wire.ts
-var U = g("entering"), sn = g(0), pe = g("edit"), Un = g(null), Oe = g(0), Ri = () => null, Oi = (e) => {
-  Ri = e;
-}, Wn = /* @__PURE__ */ new Map(), je = null, rn = 0, Jo = null, an = 0, Tt = "", Bn = !1;
+var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
+  ji = e;
+}, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
 function xe(e, t) {
-  let n = Wn.get(e) ?? /* @__PURE__ */ new Set();
-  return Wn.set(e, n.add(t)), () => n.delete(t);
+  let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
+  return Bn.set(e, n.add(t)), () => n.delete(t);
 }
 function H(e) {
-  return !je || je.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (rn += 1, je.send(JSON.stringify({ ...e, seq: rn })), e.do !== "ack" && Ii(rn, e.do), rn);
+  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Oi(ln, e.do), ln);
 }
-var Vs = 0, lt = /* @__PURE__ */ new Map();
+var Is = 0, lt = /* @__PURE__ */ new Map();
 function Se(e, t, n, o = () => {
 }) {
-  let r = ++Vs, i = xe("answer", (s) => {
+  let r = ++Is, i = xe("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = H({ do: "ask", id: r, what: e, ...t });
   if (!a)
@@ -1061,40 +1142,40 @@ function Se(e, t, n, o = () => {
   }
   return i;
 }
-function Is(e) {
+function As(e) {
   switch (e.is) {
     case "hello":
-      if (an = 0, Jo !== null && e.build !== Jo) {
-        U.value = "renewed", je?.close();
+      if (un = 0, Wo !== null && e.build !== Wo) {
+        U.value = "renewed", Ue?.close();
         return;
       }
-      Jo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Un.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, lt.clear(), U.value = "open";
+      Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      Ti(e.state ?? e);
+      Di(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Un.value) && Zo(e.seq), Pi(e.patch ?? {}, Oe.value);
+      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Ke.value);
       break;
     case "status":
       Te.value = e;
       break;
     case "refused":
-      if (Zo(e.seq), Et(Oe.value), lt.has(e.seq)) {
+      if (Bo(e.seq), Et(Ke.value), lt.has(e.seq)) {
         lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (Bn = !0);
+      e.what === "bye" && (zn = !0);
       break;
   }
-  for (let t of [...Wn.get(e.is) ?? []]) t(e);
+  for (let t of [...Bn.get(e.is) ?? []]) t(e);
 }
-function Zo(e) {
-  typeof e == "number" && e > Oe.value && (Oe.value = e);
+function Bo(e) {
+  typeof e == "number" && e > Ke.value && (Ke.value = e);
 }
-async function Hi() {
+async function Wi() {
   if (!Tt) return "in";
   try {
     return (await fetch("/enter", {
@@ -1106,248 +1187,60 @@ async function Hi() {
     return "away";
   }
 }
-function Ki() {
+function Bi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  je = t, Wn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
-    if (t !== je) return;
+  Ue = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== Ue) return;
     if (typeof o.data != "string") {
-      let i = Ri(o.data);
-      i && D.value.you && Zo(i.seq);
+      let i = ji(o.data);
+      i && F.value.you && Bo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, rn = 0), Is(r);
+    r.is === "hello" && (n = !0, ln = 0), As(r);
   }, t.onclose = () => {
-    t === je && (je = null, U.value !== "renewed" && As(n));
+    t === Ue && (Ue = null, U.value !== "renewed" && Rs(n));
   };
 }
-async function As(e) {
-  if (Et(1 / 0), !e && await Rs()) {
-    let o = await Hi();
-    if (o === "denied" || o === "in" && an > 4 && !Tt) {
+async function Rs(e) {
+  if (Et(1 / 0), !e && await Os()) {
+    let o = await Wi();
+    if (o === "denied" || o === "in" && un > 4 && !Tt) {
       U.value = "denied";
       return;
     }
   }
-  an += 1;
+  un += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  an > 3 && t && (Bn = !0), U.value = Bn ? "ended" : "lost";
-  let n = Math.min(5, an);
+  un > 3 && t && (zn = !0), U.value = zn ? "ended" : "lost";
+  let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
-    sn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  sn.value = 0, Ki();
+    cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
+  cn.value = 0, Bi();
 }
-async function Rs() {
+async function Os() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Di() {
+async function zi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", se.entered = performance.now(), e && await Hi() === "denied") {
+  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Wi() === "denied") {
     U.value = "denied";
     return;
   }
-  Ki();
+  Bi();
 }
-xe("hello", () => Bn = !1);
-
-// src/gesture.ts
-var Pt = 0, qi = /* @__PURE__ */ new Set(), ji = (e) => {
-  qi.add(e);
-}, ln = /* @__PURE__ */ new Set(), zn = N(() => ge.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : D.value.you ? null : `${D.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
-function Gn() {
-  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : zn.value;
-}
-var Fi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Ue = class {
-  constructor(t) {
-    this.label = t;
-  }
-  label;
-  waiting = null;
-  touched = {};
-  under = 0;
-  last = 0;
-  state = "new";
-  /** A new value of the control. */
-  set(t) {
-    this.state === "over" || !this.begin() || (Xo(t, 1 / 0), this.touched = nn(this.touched, t), this.waiting = nn(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
-  }
-  /** Any other message that belongs to this step. */
-  also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
-  }
-  end(t) {
-    this.state === "held" && (this.flush(), jn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Fi(t) } : {} })), this.state = "over";
-  }
-  cancel() {
-    this.state === "held" && (this.waiting = null, jn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
-  }
-  /** The server has followed so far. */
-  followed() {
-    this.waiting && this.under <= Oe.peek() && this.flush();
-  }
-  /** The line is gone, and with it what was held. */
-  drop() {
-    this.state = "over", ln.delete(this), Pt = 0;
-  }
-  begin() {
-    if (this.state === "held") return !0;
-    let t = ie(Gn);
-    return t ? (ae(t, "warn"), this.state = "over", !1) : (this.state = "held", ln.add(this), Pt === 0 && qi.forEach((n) => n()), Pt++ === 0 && (this.last = H({ do: "begin", label: Fi(this.label) })), !0);
-  }
-  flush() {
-    this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
-  }
-  finish(t) {
-    ln.delete(this), Pt = Math.max(0, Pt - 1), Pt === 0 && H(t);
-  }
-};
-function $e(e, t) {
-  let n = new Ue(e);
-  n.set(t), n.end();
-}
-function Os(e, t) {
-  let n = new Ue(e);
-  n.also(t), n.end();
-}
-function $t(e) {
-  ie(() => U.value) === "open" && (Xo({ display: e }, 1 / 0), jn({ display: e }, H({ do: "display", patch: e })));
-}
-var Pe = null;
-function er(e, t, n) {
-  Pe && Pe.key !== e && Ni(), Pe ??= { key: e, gesture: new Ue(t), timer: 0 }, Pe.gesture.set(n), clearTimeout(Pe.timer), Pe.timer = window.setTimeout(Ni, 700);
-}
-function Ni() {
-  Pe && (clearTimeout(Pe.timer), Pe.gesture.end(), Pe = null);
-}
-T(() => {
-  Oe.value, ie(() => [...ln].forEach((e) => e.followed()));
-});
-T(() => {
-  U.value !== "open" && [...ln].forEach((e) => e.drop());
-});
-
-// src/vec.ts
-var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], F = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], M = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ye = (e, t) => [
-  e[1] * t[2] - e[2] * t[1],
-  e[2] * t[0] - e[0] * t[2],
-  e[0] * t[1] - e[1] * t[0]
-], He = (e) => Math.hypot(e[0], e[1], e[2]), Ke = (e, t) => He(F(e, t)), Hs = (e, t, n) => I(M(e, 1 - n), M(t, n));
-function Z(e, t = [0, 0, 1]) {
-  let n = He(e);
-  return n > 1e-12 ? M(e, 1 / n) : t;
-}
-function ut(e) {
-  let t = Math.abs(e[0]) < 0.7 * He(e) ? [1, 0, 0] : [0, 1, 0];
-  return Z(ye(t, e));
-}
-function un(e, t, n) {
-  let o = Math.cos(n), r = Math.sin(n);
-  return I(I(M(e, o), M(ye(t, e), r)), M(t, q(t, e) * (1 - o)));
-}
-function Lt([e, t]) {
-  return Array.from({ length: 8 }, (n, o) => [
-    o & 1 ? t[0] : e[0],
-    o & 2 ? t[1] : e[1],
-    o & 4 ? t[2] : e[2]
-  ]);
-}
-var We = ([e, t]) => Hs(e, t, 0.5);
-
-// src/camera.ts
-var tr = Math.PI / 180, Xn = 89 * tr;
-function Vt(e, t, n) {
-  let o = Z(F(e.target, e.eye), [0, 0, -1]), r = Z(ye(o, e.up), ut(o)), i = ye(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * tr * 0.5) / n;
-  return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
-}
-function cn(e, t) {
-  let n = F(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
-  return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
-}
-function Ks(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(M(e.side, o), M(e.up, r));
-  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
-}
-function Ui(e, t, n, o) {
-  let r = F(e.target, e.eye), i = Math.max(He(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = F(r, M(t, q(r, t))), p = Z(He(s) > 1e-6 * i ? s : F(e.up, M(t, q(e.up, t))), ut(t)), c = Math.max(-Xn, Math.min(Xn, a + o)), u = un(p, t, n), d = I(M(u, Math.cos(c)), M(t, Math.sin(c)));
-  return { ...e, up: t, target: I(e.eye, M(d, i)) };
-}
-function Wi(e, t, n, o, r) {
-  let i = F(e.target, e.eye), a = F(i, M(t, q(i, t))), s = Z(He(a) > 1e-6 ? a : e.up, ut(t)), p = Z(ye(s, t)), c = I(I(M(s, n), M(p, o)), M(t, r));
-  return Be(e, c);
-}
-function Bi(e, t, n, o, r) {
-  let i = Z(F(e.target, e.eye)), a = Z(ye(i, e.up), ut(i));
-  return Be(e, I(I(M(i, n), M(a, o)), M(t, r)));
-}
-function Be(e, t) {
-  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
-}
-function zi(e, t, n, o, r) {
-  let i = Z(F(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Xn, Math.min(Xn, a + r)), p = Z(ye(i, t), Z(ye(i, e.up), ut(i))), c = (u) => un(un(u, p, s - a), t, o);
-  return {
-    ...e,
-    up: t,
-    eye: I(n, c(F(e.eye, n))),
-    target: I(n, c(F(e.target, n)))
-  };
-}
-function Gi(e, t, n, o, r) {
-  let i = t.parallel ? t.pixel : t.pixel * r;
-  return Be(e, I(M(t.side, -n * i), M(t.up, o * i)));
-}
-function Yn(e, t, n, o, r) {
-  let i = F(t, e.eye), a = He(i);
-  if (a < 1e-9) return e;
-  let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Be(e, M(i, s / a));
-}
-function Qn(e, t, n, o, r) {
-  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
-    M(t.side, (n - t.width / 2) * a),
-    M(t.up, (t.height / 2 - o) * a)
-  );
-  return { ...Be(e, s), height: i };
-}
-function Xi(e, t, n = 0.4) {
-  let o = We(t), r = Math.max(Ke(t[0], t[1]) / 2, 0.5), i = Z(F(e.eye, e.target));
-  if (e.height) {
-    let s = q(F(e.eye, o), i);
-    return { ...e, eye: I(o, M(i, s)), target: o, height: r * 3 };
-  }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * tr * 0.5), n + r);
-  return { ...e, eye: I(o, M(i, a)), target: o };
-}
-var Ds = ["plan", "ceiling", "north", "east", "south", "west"];
-function Yi(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ye(e, t));
-  return { right: Z(ye(n, e)), ahead: n };
-}
-function Qi(e, t, n, o) {
-  let { right: r, ahead: i } = Yi(n), a = We(t), s = (b) => Math.abs(q(F(t[1], t[0]), b)), c = {
-    plan: { forward: M(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: M(i, -1), side: r, cut: 0.35 },
-    north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: M(i, -1), up: n, side: r, cut: 0.25 },
-    east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: M(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), d = 1, m = F(a, M(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
-  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
-}
-function fn(e, t) {
-  let n = (r, i) => Ke(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
-  return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
-}
+xe("hello", () => zn = !1);
 
 // src/frames.ts
-var W = g(null), At = g(0), Ji = ["moving", "settled", "final"], Zi = 32, It = /* @__PURE__ */ new Map(), Le = null, nr = null, or = !1, ct = null;
-function Fs(e) {
-  if (e.byteLength < Zi) return null;
+var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
+function Hs(e) {
+  if (e.byteLength < Xi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1355,7 +1248,7 @@ function Fs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Ji[Math.min(t.getUint8(16), 2)],
+    kind: Gi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1363,31 +1256,31 @@ function Fs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ns(e) {
-  let t = Fs(e);
-  return t ? (ct && H({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, or || qs(), t.head) : null;
+function Ks(e) {
+  let t = Hs(e);
+  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Ds(), t.head) : null;
 }
-async function qs() {
-  for (or = !0; ct; ) {
-    let { head: e, mime: t, bytes: n, received: o } = ct;
-    ct = null;
+async function Ds() {
+  for (Go = !0; ut; ) {
+    let { head: e, mime: t, bytes: n, received: o } = ut;
+    ut = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Zi)], { type: t }));
-      js(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
+      Fs(e, r, n.byteLength, o);
     } catch {
     }
     H({ do: "ack", frame: e.frame });
   }
-  or = !1;
+  Go = !1;
 }
-function js(e, t, n, o) {
+function Fs(e, t, n, o) {
   let r = performance.now();
-  Le && nr && ((Le.width !== t.width || Le.height !== t.height) && (Le.width = t.width, Le.height = t.height), nr.drawImage(t, 0, 0)), t.close();
-  let i = It.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Us(), Ai({
+  Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
+  let i = Pt.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Ns(), Hi({
     frame: e.frame,
     seq: e.seq,
-    kind: Ji.indexOf(e.kind),
+    kind: Gi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1400,35 +1293,166 @@ function js(e, t, n, o) {
     encode: e.encode
   });
 }
-var Jn = [];
-function Us() {
+var Gn = [];
+function Ns() {
   let e = performance.now();
-  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), At.value = Jn.length;
+  Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), $t.value = Gn.length;
 }
-function rr(e) {
-  Le = e, nr = e?.getContext("2d", { alpha: !1 }) ?? null;
+function Xo(e) {
+  Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function ea() {
-  if (!Le || !W.peek()) return null;
+function Yi() {
+  if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Le.width, e.height = Le.height, e.getContext("2d", { alpha: !1 })?.drawImage(Le, 0, 0), e;
+  return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Oi(Ns);
+Ui(Ks);
 xe("camera", (e) => {
-  It.set(e.number, e);
-  for (let t of It.keys()) {
-    if (It.size <= 64) break;
-    It.delete(t);
+  Pt.set(e.number, e);
+  for (let t of Pt.keys()) {
+    if (Pt.size <= 64) break;
+    Pt.delete(t);
   }
 });
 xe("line", () => {
-  It.clear(), ct = null;
+  Pt.clear(), ut = null;
 });
 
+// src/prefs.ts
+var Qi = "lampyris-";
+function ue(e, t) {
+  let n = t;
+  try {
+    let r = localStorage.getItem(Qi + e);
+    r !== null && (n = JSON.parse(r));
+  } catch {
+  }
+  let o = g(n);
+  return T(() => {
+    let r = JSON.stringify(o.value);
+    try {
+      localStorage.setItem(Qi + e, r);
+    } catch {
+    }
+  }), o;
+}
+var Yo = ue("theme", "dark"), Qo = ue("house-lights", 1), Xn = ue("hands", "default"), Jo = ue("walking", "walk"), Zo = ue("panels", !0), Lt = ue("listing", "faders"), Yn = ue("travel", "square"), Vt = ue("candles", "lx"), er = ue("single-keys", !0), tr = ue("lamp-marks", !0), qs = ue("maintenance", 1), We = ue("fine", !1), nr = ue("fade", 1), js = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", js);
+
+// src/say.ts
+var ct = g([]), Us = 0;
+function se(e, t = "plain") {
+  if (ct.peek().find((r) => r.text === e)) return;
+  let o = ++Us;
+  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
+}
+function or(e) {
+  ct.value = ct.peek().filter((t) => t.id !== e);
+}
+
+// src/gesture.ts
+var It = 0, ea = /* @__PURE__ */ new Set(), ta = (e) => {
+  ea.add(e);
+}, fn = /* @__PURE__ */ new Set(), Qn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+function Jn() {
+  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
+}
+var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+  constructor(t) {
+    this.label = t;
+  }
+  label;
+  waiting = null;
+  touched = {};
+  under = 0;
+  last = 0;
+  state = "new";
+  /** A new value of the control. */
+  set(t) {
+    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = an(this.touched, t), this.waiting = an(this.waiting ?? {}, t), this.under <= Ke.peek() && this.flush());
+  }
+  /** Any other message that belongs to this step. */
+  also(t) {
+    this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
+  }
+  end(t) {
+    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ji(t) } : {} })), this.state = "over";
+  }
+  cancel() {
+    this.state === "held" && (this.waiting = null, Un(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+  }
+  /** The server has followed so far. */
+  followed() {
+    this.waiting && this.under <= Ke.peek() && this.flush();
+  }
+  /** The line is gone, and with it what was held. */
+  drop() {
+    this.state = "over", fn.delete(this), It = 0;
+  }
+  begin() {
+    if (this.state === "held") return !0;
+    let t = ie(Jn);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
+  }
+  flush() {
+    this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
+  }
+  finish(t) {
+    fn.delete(this), It = Math.max(0, It - 1), It === 0 && H(t);
+  }
+};
+function Le(e, t) {
+  let n = new Be(e);
+  n.set(t), n.end();
+}
+function Ws(e, t) {
+  let n = new Be(e);
+  n.also(t), n.end();
+}
+function At(e) {
+  ie(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, H({ do: "display", patch: e })));
+}
+var $e = null;
+function rr(e, t, n) {
+  $e && $e.key !== e && Zi(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(Zi, 700);
+}
+function Zi() {
+  $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
+}
+T(() => {
+  Ke.value, ie(() => [...fn].forEach((e) => e.followed()));
+});
+T(() => {
+  U.value !== "open" && [...fn].forEach((e) => e.drop());
+});
+
+// src/before.ts
+var pn = g(null), de = g(null), Bs = g(0.5);
+function zs() {
+  let e = W.peek(), t = Yi();
+  e && t && (pn.value = { picture: t, camera: e.camera });
+}
+function ir() {
+  de.peek() !== "wipe" && zs();
+}
+ta(ir);
+function na() {
+  let e = pn.peek(), t = W.peek();
+  if (!e || !t) se("Nothing has been changed yet.");
+  else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  else return !0;
+  return !1;
+}
+function dn(e) {
+  e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+}
+function Gs() {
+  de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
+}
+
 // src/select.ts
-var P = g(null), de = g(null), z = g(null), Ws = g("move"), le = N(() => {
+var P = g(null), me = g(null), z = g(null), Xs = g("move"), le = N(() => {
   let e = P.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => S.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => K.get(t)?.lamps ?? []) : [];
+  return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
 function ze(e, t, n = "only") {
   let o = P.peek();
@@ -1444,24 +1468,24 @@ function ze(e, t, n = "only") {
 function Zn() {
   P.value = null;
 }
-function ta(e, t, n) {
+function oa(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Bs(e) {
-  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? S.ids.peek() : n === "thing" ? be.ids.peek() : K.ids.peek();
+function Ys(e) {
+  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function na(e, t) {
+function ra(e, t) {
   switch (e) {
     case "lamp":
-      return S.get(t)?.name ?? `lamp ${t}`;
+      return M.get(t)?.name ?? `lamp ${t}`;
     case "group":
-      return K.get(t)?.name ?? `group ${t}`;
+      return D.get(t)?.name ?? `group ${t}`;
     case "thing":
       return be.get(t)?.name ?? `thing ${t}`;
     case "material":
@@ -1471,14 +1495,14 @@ function na(e, t) {
   }
 }
 function eo(e) {
-  return e.length === 1 ? na("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? ra("lamp", e[0]) : `${e.length} lamps`;
 }
-function oa(e, t) {
+function ia(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
-    let i = S.get(e.lamp)?.group;
-    i != null && (K.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
+    let i = M.get(e.lamp)?.group;
+    i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
     t === "only" && Zn();
@@ -1491,183 +1515,184 @@ function oa(e, t) {
 var to = g(null);
 
 // src/navigate.ts
-var zs = 1.6, me = g(null), ia = N(() => pe.value === "edit" && D.value.you), Ve = N(() => J.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), sr = null, pn = null, ir = !1, Ge = [], ur = [], lr = 0;
+var Qs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
 function Q(e, t = null) {
-  let n = me.peek();
-  if (n && fn(n, e)) return;
+  let n = he.peek();
+  if (n && nn(n, e)) return;
   let o = performance.now();
-  n && (o - lr > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), ur.length = 0), lr = o, me.value = e, Ht.value = t;
+  n && (o - ur > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
 }
-var ne = () => me.peek();
-function Gs() {
-  aa(Ge, ur);
+var ne = () => he.peek();
+function Js() {
+  la(Ge, cr);
 }
-function Xs() {
-  aa(ur, Ge);
+function Zs() {
+  la(cr, Ge);
 }
-function aa(e, t) {
+function la(e, t) {
   let n = e.pop();
   if (!n) return;
-  let o = me.peek();
-  o && t.push(o), lr = performance.now(), me.value = n, Ht.value = null;
+  let o = he.peek();
+  o && t.push(o), ur = performance.now(), he.value = n, Ht.value = null;
 }
 T(() => {
-  !me.value || U.value !== "open" || !ia.value || ir || (ir = !0, requestAnimationFrame(() => {
-    ir = !1;
-    let t = me.peek();
-    if (!t || pn && fn(pn, t)) return;
+  !he.value || U.value !== "open" || !sa.value || ar || (ar = !0, requestAnimationFrame(() => {
+    ar = !1;
+    let t = he.peek();
+    if (!t || mn && nn(mn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (p.height = a), s && (p.near = s), H(p) && (pn = t);
+    a && (p.height = a), s && (p.near = s), H(p) && (mn = t);
   }));
 });
 T(() => {
   let e = W.value;
   e && ie(() => {
-    me.peek() && ia.peek() || (pn = e.camera, me.value = e.camera, sr ??= e.camera);
+    he.peek() && sa.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
   });
 });
-xe("hello", () => pn = null);
+xe("hello", () => mn = null);
 function Kt(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = dn(o.width, o.height);
+  let { head: o } = n, r = hn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function dn(e, t) {
+function hn(e, t) {
   let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function ft(e = me.peek()) {
+function ft(e = he.peek()) {
   let [t, n] = _e.peek();
-  return e ? Vt(e, t, n) : null;
+  return e ? wt(e, t, n) : null;
 }
-var Ot = () => J.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => We(Ot());
+var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
 function no(e, t) {
   let n = ne();
-  n && Q(Ui(n, Ve.peek(), e, t));
+  n && Q(Ei(n, Ve.peek(), e, t));
 }
 function oo(e, t, n) {
   let o = ne();
-  o && Q(zi(o, Ve.peek(), e, t, n));
+  o && Q($i(o, Ve.peek(), e, t, n));
 }
 function Ft(e, t, n) {
   let o = ne(), r = ft();
-  o && r && Q(Gi(o, r, e, t, n));
+  o && r && Q(Li(o, r, e, t, n));
 }
-function sa(e, t, n) {
+function ua(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
       let r = ft(o);
-      r && Q(Be(o, I(M(r.side, t), M(r.up, e))));
+      r && Q(je(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    jo.peek() === "fly" || n !== 0 ? Q(Bi(o, Ve.peek(), e, t, n)) : (Q(Wi(o, Ve.peek(), e, t, 0)), Ys());
+    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ve.peek(), e, t, n)) : (Q(Ti(o, Ve.peek(), e, t, 0)), el());
   }
 }
-var Rt = !1, ar = !0, ra = null;
-function Ys() {
+var Rt = !1, sr = !0, aa = null;
+function el() {
   let e = ne();
-  if (!e || Rt || !ar) return;
+  if (!e || Rt || !sr) return;
   let t = Ve.peek();
   Rt = !0;
-  let n = Se("ray", { origin: e.eye, direction: M(t, -1) }, (o) => {
-    Rt = !1, ar = !0;
+  let n = Se("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
+    Rt = !1, sr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    ra = q(o.point, t);
-    let i = ra + zs - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(Be(r, M(t, i * 0.5)));
+    aa = q(o.point, t);
+    let i = aa + Qs - q(r.eye, t);
+    Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
   }, () => {
-    Rt = !1, ar = !1;
+    Rt = !1, sr = !1;
   });
   setTimeout(() => {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function Qs() {
+function tl() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(S.get(i)?.box, S.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
-      for (let a of K.get(i)?.lamps ?? []) n(S.get(a)?.box, S.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(M.get(i)?.box, M.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
+      for (let a of D.get(i)?.lamps ?? []) n(M.get(a)?.box, M.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(Lt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
+  let o = t.flatMap(_t), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function cr() {
-  let e = ne(), t = Qs();
-  e && t ? Q(Xi(e, t), "selection") : fr();
-}
 function fr() {
-  sr && Q(sr, "home");
+  let e = ne(), t = tl();
+  e && t ? Q(Vi(e, t), "selection") : pr();
 }
-function Js(e) {
+function pr() {
+  lr && Q(lr, "home");
+}
+function nl(e) {
   let [t, n] = _e.peek();
-  Q(Qi(e, Ot(), Ve.peek(), t / n), e);
+  Q(Ai(e, Ot(), Ve.peek(), t / n), e);
 }
-function Zs() {
+function ol() {
   for (let e = Ge.length - 1; e >= 0; e--)
     if (!Ge[e].height) return Q(Ge[e], "inside");
-  fr();
+  pr();
 }
-var el = N(() => {
-  let e = me.value;
+var rl = N(() => {
+  let e = he.value;
   if (!e?.height) return null;
-  let t = Vt(e, 2, 2), n = Lt(Ot()).map((s) => q(F(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...Lt(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
+  let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function tl(e) {
+function il(e) {
   let t = ne();
-  t && (me.value = { ...t, near: Math.max(0, e) });
+  t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var pr = g("spot"), la = () => {
-}, nl = (e) => {
-  la = e;
-}, ua = (e) => la(e);
-function dr(e) {
+var dr = g("spot"), ca = () => {
+}, al = (e) => {
+  ca = e;
+}, fa = (e) => ca(e);
+function mr(e) {
   z.value = z.peek() === e ? null : e;
 }
 var ro = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function mr(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? We(e.box) : null);
+function hr(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? qe(e.box) : null);
 }
 
 // src/actions.ts
-var pt = g(null), Ie = g("lamps"), vr = g("");
+var pt = g(null), Ie = g("lamps"), gr = g("");
 function ao(e) {
-  let t = Gn();
-  t ? ae(t, "warn") : H(e);
+  let t = Jn();
+  if (t) return se(t, "warn");
+  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), H(e);
 }
-var ol = (e, t) => Object.fromEntries(e.map((n) => [n, t])), rl = {
+var sl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ll = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, hr = rl, ca = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), il = () => it.peek().false_color ?? hr;
-function gr() {
-  let e = it.peek().false_color;
-  e && (hr = e), $t({ false_color: e ? null : ca(hr) });
+}, vr = ll, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
+function br() {
+  let e = at.peek().false_color;
+  e && (vr = e), At({ false_color: e ? null : pa(vr) });
 }
 function so(e) {
-  let t = Math.round(((it.peek().ev ?? 0) + e / 3) * 30) / 30;
-  $t({ ev: t });
+  let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
+  At({ ev: t });
 }
-function al() {
+function cl() {
   let e = ne();
   if (!e) return;
   let t = ro(St);
-  $e("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+  Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var sl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
-async function br(e) {
+var fl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
+async function yr(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1675,72 +1700,49 @@ async function br(e) {
     let n = document.createElement("textarea");
     n.value = e, n.className = "spoken", document.body.append(n), n.select(), t = document.execCommand("copy"), n.remove();
   }
-  ae(t ? "Copied." : `Copy it by hand: ${e}`);
+  se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
-function ll(e) {
+function pl(e) {
   Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
 }
-var ul = () => [...Nt.values()], fa = (e) => Nt.get(e), yr = (e) => Nt.get(e)?.why?.() ?? null;
+var dl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
   let n = t?.why?.();
-  n ? ae(n, "warn") : t?.run();
-}
-
-// src/before.ts
-var mn = g(null), he = g(null), cl = g(0.5);
-function fl() {
-  let e = W.peek(), t = ea();
-  e && t && (mn.value = { picture: t, camera: e.camera });
-}
-ji(() => {
-  he.peek() !== "wipe" && fl();
-});
-function pa() {
-  let e = mn.peek(), t = W.peek();
-  if (!e || !t) ae("Nothing has been changed yet.");
-  else if (!fn(e.camera, t.camera)) ae("The picture before was taken from another place: go back there with Alt+←.", "warn");
-  else return !0;
-  return !1;
-}
-function hn(e) {
-  e ? he.peek() === null && pa() && (he.value = "held") : he.peek() === "held" && (he.value = null);
-}
-function pl() {
-  he.value = he.peek() === "wipe" ? null : pa() ? "wipe" : null;
+  n ? se(n, "warn") : t?.run();
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var dl = /* @__PURE__ */ Symbol.for("pv"), ml = 0;
+var ml = /* @__PURE__ */ Symbol.for("pv"), hl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: dl, __v: --ml, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: ml, __v: --hl, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
-var ma = g(null), da = !1, _r = (e) => ma.value?.[e];
+var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
 function ee({ part: e }) {
-  let t = _r(e);
+  let t = wr(e);
   return t ? l(t, {}) : null;
 }
-function ha() {
+function va() {
   T(() => {
-    if (da || !(W.value ?? P.value)) return;
-    da = !0;
+    if (ma || !(W.value ?? P.value)) return;
+    ma = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ma.value = t);
+      import(e).then((t) => ha.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, va = {
+var lo = 0.3048, ga = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1757,19 +1759,19 @@ var lo = 0.3048, va = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, hl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function wr(e) {
-  let t = hl.exec(e);
+}, vl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function kr(e) {
+  let t = vl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ga(e, t, n) {
+function ba(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let p = wr(o);
+    let p = kr(o);
     if (!p) return null;
     let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
     if (u === void 0) return null;
@@ -1777,8 +1779,8 @@ function ga(e, t, n) {
   }
   return i ? null : r;
 }
-function ba(e, t, n) {
-  let o = va[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function ya(e, t, n) {
+  let o = ga[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1787,19 +1789,19 @@ function ba(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let y = wr(p[1].trim());
+    let y = kr(p[1].trim());
     return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let y = wr(c[2]);
+    let y = kr(c[2]);
     if (!y) return i;
     let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
     return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ga(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ba(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = ga(m, { ...va.flux }, NaN);
+    let y = ba(m, { ...ga.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1844,7 +1846,7 @@ function vn(e, t) {
   }
 }
 function dt(e, t = !0) {
-  let n = wt.value === "fc", o = n ? e / 10.7639 : e;
+  let n = Vt.value === "fc", o = n ? e / 10.7639 : e;
   return Xe(o) + (t ? n ? " fc" : " lx" : "");
 }
 
@@ -1856,7 +1858,7 @@ function gn(e) {
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = ba(t.value, e.quantity, e.flux);
+    let d = ya(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1932,8 +1934,8 @@ function qt({ id: e, label: t, title: n, children: o }) {
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function kr({ id: e, label: t }) {
-  let n = yr(e), o = fa(e);
+function xr({ id: e, label: t }) {
+  let n = _r(e), o = da(e);
   return l(
     "button",
     {
@@ -1952,19 +1954,19 @@ function kr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var ya = {
+var _a = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function _a() {
-  let e = it.value, t = ot.value.undo, n = ot.value.redo, o = rt.value, r = e.metered;
+function wa() {
+  let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
-    l("h1", { title: o.file || J.value?.file, children: [
-      J.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ya[o.state], title: `${ya[o.state]}${o.file ? `: ${o.file}` : ""}` })
+    l("h1", { title: o.file || Z.value?.file, children: [
+      Z.value?.name ?? "Lampyris",
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -1983,13 +1985,13 @@ function _a() {
       "Picture ",
       l(G, { name: "down" })
     ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
-    l("button", { "aria-pressed": e.false_color !== null, onClick: gr, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": he.value === "wipe", "aria-disabled": mn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(G, { name: "minus" }) }),
       l("label", { children: [
         l("span", { "aria-hidden": "true", children: "EV" }),
-        l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => $t({ ev: i(e.ev ?? 0) }) })
+        l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
       ] }),
       l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(G, { name: "plus" }) }),
       l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
@@ -1998,11 +2000,11 @@ function _a() {
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": ge.value,
+        "aria-pressed": ye.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => ge.value = !ge.value,
-        children: l(G, { name: ge.value ? "lock" : "unlock" })
+        onClick: () => ye.value = !ye.value,
+        children: l(G, { name: ye.value ? "lock" : "unlock" })
       }
     ),
     pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
@@ -2025,36 +2027,36 @@ function _a() {
 function uo(e) {
   ke.value = e, H({ do: "solo", lamps: e });
 }
-function xr(e) {
+function Sr(e) {
   let t = ke.peek(), n = e.every((o) => t.includes(o));
   uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var vl = () => xr(le.peek()), Sr = () => uo([]), bn = null;
+var gl = () => Sr(le.peek()), Mr = () => uo([]), bn = null;
 function co(e) {
   e && bn === null && le.peek().length ? (bn = ke.peek(), uo(le.peek())) : !e && bn !== null && (uo(bn), bn = null);
 }
 
 // src/lights.ts
-var Ye = g(null), Mr = () => {
-}, ka = () => {
+var Ye = g(null), Cr = () => {
+}, xa = () => {
 };
 function fo(e, t, n) {
-  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, wa(n);
+  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ka(n);
   let o = !0, r = 0;
-  ka = T(() => {
-    for (let [, i] of S.all()) at(i);
+  xa = T(() => {
+    for (let [, i] of M.all()) st(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
       let i = ie(() => Ye.value);
-      i && wa(i.hit);
+      i && ka(i.hit);
     }, 250);
   });
 }
-function wa(e) {
-  Mr(), Mr = Se("light", { point: e.point, normal: e.normal }, (t) => {
+function ka(e) {
+  Cr(), Cr = Se("light", { point: e.point, normal: e.normal }, (t) => {
     let n = Ye.peek();
     n && (Ye.value = {
       ...n,
@@ -2065,41 +2067,41 @@ function wa(e) {
   });
 }
 function po() {
-  Mr(), ka(), Ye.value = null;
+  Cr(), xa(), Ye.value = null;
 }
 
 // src/keys.ts
-var Pa = g("W A S D"), Cr = {
+var $a = g("W A S D"), Er = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, gl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Er = !1, Tr = 0;
-function $a(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Tr) / 1e3));
-  if (Tr = e, !jt.size) {
-    Er = !1;
+}, bl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
+function La(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
+  if (Pr = e, !jt.size) {
+    Tr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
   for (let s of jt) {
-    let [p, c, u] = Cr[s];
+    let [p, c, u] = Er[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, Ke(...Ot()) / 12), a = gl * t * ho * Math.min(i, 6);
-  (n || o || r) && sa(n * a, o * a, r * a), requestAnimationFrame($a);
+  let i = Math.max(1, He(...Ot()) / 12), a = bl * t * ho * Math.min(i, 6);
+  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(La);
 }
 function yn(e) {
-  jt.add(e), !Er && (Er = !0, Tr = performance.now(), requestAnimationFrame($a));
+  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(La));
 }
-var bl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function xa() {
+var yl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Sa() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var yl = {
+var _l = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2119,7 +2121,7 @@ var yl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Sa = {
+}, Ma = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2127,7 +2129,7 @@ var yl = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ma = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ca = {
+}, Ca = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ea = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2136,32 +2138,32 @@ var yl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function _l(e) {
+function wl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function wl() {
-  z.peek() ? z.value = null : Ye.peek() ? po() : he.peek() ? he.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function kl() {
+  z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ea(e) {
+function Ta(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
-function Ta(e) {
+function Pa(e) {
   let t = ne(), n = ft();
-  !t || !n || (t.height ? Q(Qn(t, n, n.width / 2, n.height / 2, e)) : Q(Yn(t, t.target, e, 0.3, !0)));
+  !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
-function kl(e) {
+function xl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return wl();
-  if (bl(e.target)) {
+  if (e.key === "Escape") return kl();
+  if (yl(e.target)) {
     t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (xa() && Ea(e)) return e.preventDefault();
-    let i = _l(e);
+    if (Sa() && Ta(e)) return e.preventDefault();
+    let i = wl(e);
     i && De(e, i);
     return;
   }
@@ -2176,68 +2178,68 @@ function kl(e) {
       a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Cr)) return;
+    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
   }
-  let n = xa();
-  if (n && Ea(e)) return e.preventDefault();
-  if (n && e.code in Cr)
+  let n = Sa();
+  if (n && Ta(e)) return e.preventDefault();
+  if (n && e.code in Er)
     return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Ta(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Ta(1 / 0.85);
-  if (!Wo.peek()) return;
-  if (e.shiftKey && Ca[e.code]) return De(e, Ca[e.code]);
+  if (n && (e.key === "+" || e.key === "=")) return Pa(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Pa(1 / 0.85);
+  if (!er.peek()) return;
+  if (e.shiftKey && Ea[e.code]) return De(e, Ea[e.code]);
   if (mo && /^\d$/.test(e.key)) {
     e.preventDefault(), mo = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && ao({ do: "look", id: i, what: "recall", seconds: zo.peek() });
+    i !== void 0 && ao({ do: "look", id: i, what: "recall", seconds: nr.peek() });
     return;
   }
-  if (mo = e.key.toLowerCase() === "j", mo) return ae("Recall a look: now its digit.");
+  if (mo = e.key.toLowerCase() === "j", mo) return se("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
-    e.preventDefault(), vr.value = e.key;
+    e.preventDefault(), gr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ma[e.code]) return De(e, Ma[e.code]);
-  if (e.key === "\\") return void (e.repeat || hn(!0));
+  if (!e.shiftKey && e.key !== "?" && Ca[e.code]) return De(e, Ca[e.code]);
+  if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return xl();
-  let r = e.shiftKey && Sa[o] ? Sa[o] : yl[o];
+  if (o === "p" && e.shiftKey) return Sl();
+  let r = e.shiftKey && Ma[o] ? Ma[o] : _l[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function xl() {
+function Sl() {
   let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
   n && Se("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
 function De(e, t) {
   e.preventDefault(), oe(t);
 }
-function Sl(e) {
-  jt.delete(e.code), e.key === "\\" && hn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
+function Ml(e) {
+  jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
-function La() {
-  addEventListener("keydown", kl), addEventListener("keyup", Sl), addEventListener("blur", () => {
-    jt.clear(), co(!1), hn(!1);
+function Va() {
+  addEventListener("keydown", xl), addEventListener("keyup", Ml), addEventListener("blur", () => {
+    jt.clear(), co(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Pa.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Ml(e, t) {
+function Cl(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
 }
 
 // src/levels.ts
-var Pr = (e) => Math.min(1, Dn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), $r = (e) => {
-  let t = Dn.peek() === "square" ? e * e : e;
+var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
+  let t = Yn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Cl = (e) => (e.kind === "lamp" ? S.get(e.id) : K.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? S.get(e.id) : K.get(e.id))?.name ?? "";
-function Lr(e) {
+}, El = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+function Vr(e) {
   let t = le.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Va(e, t, n) {
+function Ia(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2249,7 +2251,7 @@ function Va(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Cl(t), this.from = t.kind === "lamp" ? new Map(Lr(t).map((n) => [n, S.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Ue(`${vo(t)} level`);
+    this.was = this.now = El(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
   }
   strip;
   gesture;
@@ -2257,7 +2259,7 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Va(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ia(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
@@ -2268,46 +2270,46 @@ var _n = class {
   }
 };
 function go(e, t) {
-  let n = new Map(Lr(e).map((o) => [o, S.get(o)?.level ?? 0]));
-  er(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Va(e, t, n));
-}
-function Vr(e, t) {
-  if (!e.length) return;
-  let n = Object.fromEntries(e.map((r) => {
-    let i = S.get(r);
-    return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Ae(S.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
-  $e(`${eo(e)}${o}`, { lamps: n });
+  let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
+  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ia(e, t, n));
 }
 function Ir(e, t) {
-  let n = t(K.get(e)?.level ?? 0);
-  $e(`${K.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
+  if (!e.length) return;
+  let n = Object.fromEntries(e.map((r) => {
+    let i = M.get(r);
+    return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
+  })), o = e.length === 1 ? ` ${Ae(M.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
+  Le(`${eo(e)}${o}`, { lamps: n });
 }
 function Ar(e, t) {
+  let n = t(D.get(e)?.level ?? 0);
+  Le(`${D.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
+}
+function Rr(e, t) {
   let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? $e(n, { groups: { [e.id]: { on: t } } }) : $e(n, { lamps: Object.fromEntries(Lr(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var El = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Tl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Pl = (e) => Math.round(255 * El(Math.max(0, Math.min(1, e))));
-function Rr(e) {
+var Tl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Pl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, $l = (e) => Math.round(255 * Tl(Math.max(0, Math.min(1, e))));
+function Or(e) {
   let t = Math.max(...e, 1e-6);
-  return Ia(e.map((n) => n / t));
+  return Aa(e.map((n) => n / t));
 }
-function Ia(e) {
-  return `#${e.map((t) => Pl(t).toString(16).padStart(2, "0")).join("")}`;
+function Aa(e) {
+  return `#${e.map((t) => $l(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function $l(e) {
-  let t = (n) => Tl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Ll(e) {
+  let t = (n) => Pl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Ll = (e) => 1e6 / e;
+var Vl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Aa = -1e9;
-addEventListener("scroll", () => Aa = performance.now(), { capture: !0, passive: !0 });
+var Ra = -1e9;
+addEventListener("scroll", () => Ra = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function Or(e) {
+function Hr(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
@@ -2327,7 +2329,7 @@ function Or(e) {
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
     u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Aa < 400 || c.ctrlKey) return;
+    if (performance.now() - Ra < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2364,15 +2366,15 @@ function Or(e) {
 }
 
 // src/faderrow.tsx
-function Ra(e) {
+function Oa(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var Hr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Oa({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? S.get(e.id) : void 0, a = e.kind === "group" ? K.get(e.id) : void 0, s = i ?? a;
+var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Ha({ row: e, index: t, count: n }) {
+  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (S.get(C)?.flux ?? 0) * (S.get(C)?.level ?? 0), 0), u = Yo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = de.value?.kind === e.kind && de.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = zn.value, x = d ? 0 : -1, k = {
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
     begin: () => o.current = new _n(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2389,39 +2391,39 @@ function Oa({ row: e, index: t, count: n }) {
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => de.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => de.value = null,
+      onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => me.value = null,
       children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Ar(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ha(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Hr(i)}` : s.name, onClick: (_) => Kr(_, e.kind, e.id), children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Hr(i), children: [
+            i && !i.free && l("small", { class: "traced", title: Kr(i), children: [
               "↻",
               l("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
           i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Rr(i.swatch) } }),
-            Ra(i)
+            l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
+            Oa(i)
           ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => xr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
-            Or,
+            Hr,
             {
               label: `${s.name} level`,
               class: "level",
-              value: Pr(s.level),
+              value: $r(s.level),
               text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
               on: (_) => {
-                let C = $r(_);
+                let C = Lr(_);
                 o.current ? o.current.to(C) : go(r, C);
               },
               reset: () => go(r, 1),
@@ -2439,7 +2441,7 @@ function Oa({ row: e, index: t, count: n }) {
               disabled: w !== null,
               why: w,
               tabIndex: x,
-              set: (_) => i ? Vr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ir(e.id, _)
+              set: (_) => i ? Ir(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ar(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2450,8 +2452,8 @@ function Oa({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Ka = 4;
-function Dr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+var Da = 4;
+function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = te(null), s = nt(0), p = nt(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
@@ -2462,14 +2464,14 @@ function Dr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Ka), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Ka);
+  let c = Math.max(0, Math.floor(s.value / t) - Da), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Da);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Fa = N(() => {
-  let e = bo.value.trim().toLowerCase(), t = S.listed(), n = K.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
-  if (yo.value !== "group" && _t.value === "sheet") {
+var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() => {
+  let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+  if (yo.value !== "group" && Lt.value === "sheet") {
     let s = yo.value, p = [...r];
     return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
   }
@@ -2487,37 +2489,37 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Fa = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Da = !1;
-K.ids.subscribe((e) => {
-  Da || !e.length || (Da = !0, S.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (K.get(t)?.lamps.length ?? 0) > 1))));
+}), Fa = !1;
+D.ids.subscribe((e) => {
+  Fa || !e.length || (Fa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ha(e) {
+function Ka(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
-function Kr(e, t, n) {
-  e.shiftKey ? ta(t, Fa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Dr(e, t, n) {
+  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Vl(e) {
+function Il(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Il = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Na() {
-  let e = Fa.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = _t.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Vl, children: [
+var Al = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function qa() {
+  let e = Na.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Il, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
-        l("small", { children: B(S.ids.value.length) })
+        l("small", { children: B(M.ids.value.length) })
       ] }),
       l("span", { class: "gap" }),
       l("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        l("button", { "aria-pressed": !r, onClick: () => _t.value = "faders", children: "Faders" }),
-        l("button", { "aria-pressed": r, onClick: () => _t.value = "sheet", children: "Sheet" })
+        l("button", { "aria-pressed": !r, onClick: () => Lt.value = "faders", children: "Faders" }),
+        l("button", { "aria-pressed": r, onClick: () => Lt.value = "sheet", children: "Sheet" })
       ] })
     ] }),
     l("div", { class: "panel-tools", children: [
@@ -2541,7 +2543,7 @@ function Na() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Il.map((i) => l(kr, { id: i }, i)),
+        Al.map((i) => l(xr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2550,14 +2552,14 @@ function Na() {
     ] }),
     r && l(ee, { part: "SheetHead" }),
     l(
-      Dr,
+      Fr,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? _r("SheetRow") : Oa;
+          let a = e[i], s = r ? wr("SheetRow") : Ha;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2567,15 +2569,15 @@ function Na() {
       " selected; a fader moves them in proportion",
       l("button", { onClick: () => oe("none"), children: "None" })
     ] }),
-    !e.length && S.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
+    !e.length && M.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), Nr = g(null), Fr = N(() => Te.value?.stage ?? "loading"), qa = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), ja = g(!1), wn = 0;
 T(() => {
   let e = Te.value?.fps ?? 0;
-  Fr.value === "moving" && e > 6 && At.value < 0.4 * e && At.value < 5 ? wn || (wn = performance.now()) : wn = 0, qa.value = wn > 0 && performance.now() - wn > 2e3;
+  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, ja.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
   switch (U.value) {
@@ -2586,30 +2588,30 @@ var Wt = N(() => {
     default:
       return U.value;
   }
-  return !J.value || !W.value ? "loading" : rt.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !D.value.you ? "control-lost" : pe.value === "watch" || !D.value.you ? "watching" : S.ids.value.length === 0 ? "no-lamps" : Li.value ? "all-off" : qa.value ? "slow" : Fr.value === "loading" ? "first" : Fr.value;
+  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : ja.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
 });
 xe("event", (e) => {
   switch (e.what) {
     case "reloaded": {
       kn.value = null, Qe.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      ae(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
+      se(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
       kn.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      xn.value = e.by ?? D.peek().name ?? "somebody else";
+      xn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      Nr.value = e;
+      qr.value = e;
       break;
   }
 });
-xe("refused", (e) => ae(e.why ?? "That could not be done.", "warn"));
+xe("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
 T(() => {
-  D.value.you && (xn.value = null);
+  F.value.you && (xn.value = null);
 });
 
 // src/probe.ts
@@ -2619,28 +2621,28 @@ function wo(e, t, n) {
   if (!o) return n(null);
   Se("point", o, (r) => n(r.hit ? r : null));
 }
-function ja(e) {
+function Ua(e) {
   if (!e) return "";
-  let t = [], n = S.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
+  let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
-    let i = e.luminance[0] * (wt.value === "fc" ? 0.2919 : 1);
-    t.push(`${Xe(i)} ${wt.value === "fc" ? "fL" : "cd/m²"}`);
+    let i = e.luminance[0] * (Vt.value === "fc" ? 0.2919 : 1);
+    t.push(`${Xe(i)} ${Vt.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var Ua = N(() => {
+var Wa = N(() => {
   W.value;
   let e = [];
-  for (let t of se.sent.slice(-24)) {
+  for (let t of ae.sent.slice(-24)) {
     if (t.what !== "set" && t.what !== "camera") continue;
-    let n = se.frames.find((o) => o.seq >= t.seq && o.painted);
+    let n = ae.frames.find((o) => o.seq >= t.seq && o.painted);
     n && n.painted > t.at && e.push(n.painted - (t.input || t.at));
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Al() {
+function Rl() {
   let e = Te.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2657,20 +2659,20 @@ function Al() {
       return `finished${t}`;
   }
 }
-function Wa() {
-  let e = Te.value, t = W.value?.head, n = on.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Ba() {
+  let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Al()
+      Rl()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    l("span", { children: U.value === "open" ? `${B(At.value)} fps` : "no line" }),
-    Ua.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Ua.value),
+    l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
+    Wa.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(Wa.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2679,15 +2681,15 @@ function Wa() {
       t.height
     ] }),
     l("span", { class: "wide", children: [
-      on.value.length,
+      sn.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: ja(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Ua(_o.value) }),
     l("span", { class: "gap" }),
-    l("span", { children: D.value.you ? "editing: you" : `editing: ${D.value.name ?? "somebody else"}` }),
+    l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
-      Un.value ?? "",
+      Wn.value ?? "",
       " ",
       Wt.value
     ] })
@@ -2695,11 +2697,11 @@ function Wa() {
 }
 
 // src/pointer.ts
-var Rl = 4, Ba = 35e-4, Ol = 0.15;
-function Hl(e, t, n) {
+var Ol = 4, za = 35e-4, Hl = 0.15;
+function Kl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function za(e, t) {
+function Ga(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2711,12 +2713,12 @@ function za(e, t) {
     });
   }, m = (h) => {
     let v = ft();
-    return v ? Math.max(0.2, q(F(h, v.eye), v.forward)) : r;
+    return v ? Math.max(0.2, q(K(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Hl(Kn.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Kl(Xn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2748,7 +2750,7 @@ function za(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Rl)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Ol)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2761,7 +2763,7 @@ function za(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * Ba, R * A * Ba);
+          no(R * V * za, R * A * za);
           break;
         }
         case "orbit":
@@ -2788,7 +2790,7 @@ function za(e, t) {
       if (v.touch) {
         let $ = performance.now(), L = $ - p < 320;
         if (p = $, L) return t.double();
-        if (ge.peek()) return;
+        if (ye.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
@@ -2801,24 +2803,24 @@ function za(e, t) {
   function k(h, v, $, L) {
     let V = ne(), A = ft();
     if (!V || !A) return;
-    if (V.height) return Q(Qn(V, A, h, v, $));
+    if (V.height) return Q(Fn(V, A, h, v, $));
     let R = performance.now();
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (Br) => {
-        vt.point = Br.point, r = m(Br.point);
+      d(h, v, (zr) => {
+        vt.point = zr.point, r = m(zr.point);
       });
     }
     x.time = R;
-    let [os, rs] = [h - A.width / 2, A.height / 2 - v], is = Math.min(r, Ke(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * os * A.pixel + A.up[vt] * rs * A.pixel) * is, Wr = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Yn(V, Wr, $, Ol, L)), L && Ke(V.eye, Wr) < 0.5 && (x = null);
+    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, Br = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Dn(V, Br, $, Hl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
     let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
-    if (Kn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
+    if (Xn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
     let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
     k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
@@ -2838,51 +2840,51 @@ function za(e, t) {
 }
 
 // src/overlay.ts
-var Kl = "http://www.w3.org/2000/svg";
+var Dl = "http://www.w3.org/2000/svg";
 function we(e, t = {}, n) {
-  let o = document.createElementNS(Kl, e);
+  let o = document.createElementNS(Dl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var jr = class {
+var Ur = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = dn(t.width, t.height);
+    this.view = t, this.fit = hn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = cn(this.view, t);
+    let [n, o, r] = tn(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = cn(this.view, t), [, , r] = cn(this.view, n), i = 0.05, [a, s] = [t, n];
+    let [, , o] = tn(this.view, t), [, , r] = tn(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let u = (i - o) / (r - o), d = I(M(t, 1 - u), M(n, u));
+      let u = (i - o) / (r - o), d = I(S(t, 1 - u), S(n, u));
       o < i && (a = d), r < i && (s = d);
     }
     let [p, c] = [this.at(a), this.at(s)];
     return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function Ur() {
+function Wr() {
   let e = W.value;
-  return _e.value, e ? new jr(Vt(e.camera, e.head.width, e.head.height)) : null;
+  return _e.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
 }
-function Ga() {
-  let e = ie(Ur);
-  return e ? S.all().flatMap(([t, n]) => {
-    let o = Xa(n), r = o && e.at(o);
+function Xa() {
+  let e = ie(Wr);
+  return e ? M.all().flatMap(([t, n]) => {
+    let o = Ya(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Xa = mr, Dl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function qr(e, t) {
-  let n = Lt(t);
-  return Dl.map(([o, r]) => e.line(n[o], n[r])).join("");
+var Ya = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function jr(e, t) {
+  let n = _t(t);
+  return Fl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Fl = 150, Sn = class {
+var Nl = 150, Sn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2913,32 +2915,32 @@ var Fl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Ya(e) {
+function Qa(e) {
   let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
   }), s = new Sn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
-    let u = Ur();
+    let u = Wr();
     if (!u) return;
-    let d = P.value, m = de.value, f = "", b = "", y = S.ids.value.length <= Fl, w = S.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Xa(_), fe = _.place?.position;
-      if (C && _.box && (b += qr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Nl, w = M.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
+      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Me)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
-      let ve = C || Me || y && Bo.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${at(_) ? "" : "off"}`;
+      let ve = C || Me || y && tr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${st(_) ? "" : "off"}`;
       return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Me ? _.name : "", state: h };
     });
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
       for (let k of d.ids) {
         let _ = be.get(k)?.box;
-        _ && (b += qr(u, _));
+        _ && (b += jr(u, _));
       }
     n.setAttribute("d", b);
-    let x = m?.kind === "lamp" ? S.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", x ? qr(u, x) : "");
+    let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
+    o.setAttribute("d", x ? jr(u, x) : "");
   }), c = T(() => {
-    let u = Ur();
+    let u = Wr();
     if (!u) return;
     let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
     s.draw(Ct.all().map(([b, y]) => ({
@@ -2948,8 +2950,8 @@ function Ya(e) {
       state: m("meter", b)
     })));
     let f = "";
-    a.draw(Nn.all().map(([b, y]) => {
-      f += Nl(u, y);
+    a.draw(qn.all().map(([b, y]) => {
+      f += ql(u, y);
       let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2958,8 +2960,8 @@ function Ya(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function Nl(e, t) {
-  let n = (r, i) => I(t.corner, I(M(t.u, r), M(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+function ql(e, t) {
+  let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
       let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
@@ -2972,23 +2974,23 @@ function Nl(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Qa = () => `lampyris view ${J.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function ql() {
-  let e = S.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = K.all().filter(([, n]) => !n.on || n.level === 0);
-  $e("All lamps on", {
+var Ja = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function jl() {
+  let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+  Le("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function jl() {
+function Ul() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = Nr.value;
+      let e = qr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
-        e?.file ?? J.value?.file ?? "the scene",
+        e?.file ?? Z.value?.file ?? "the scene",
         "…",
         e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
         e?.progress != null && l("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
@@ -2997,18 +2999,18 @@ function jl() {
     case "lost":
       return l(ce, { tone: "warn", children: [
         "Connection lost, trying again",
-        sn.value ? ` (${sn.value} s)` : "…",
+        cn.value ? ` (${cn.value} s)` : "…",
         ". Until then nothing can be changed."
       ] });
     case "ended":
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Qa() }),
+          l("code", { children: Ja() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          br(Qa());
+          yr(Ja());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3021,7 +3023,7 @@ function jl() {
     case "unsaved":
       return l(ce, { tone: "warn", children: [
         "Edits are not being saved: ",
-        rt.value.why ?? "unknown reason",
+        it.value.why ?? "unknown reason",
         ".",
         l("button", { onClick: () => pt.value = "save", children: "Save elsewhere" })
       ] });
@@ -3044,9 +3046,9 @@ function jl() {
       return l(ce, { tone: "calm", children: [
         l("span", { children: [
           "You are watching",
-          D.value.name ? l(X, { children: [
+          F.value.name ? l(X, { children: [
             "; ",
-            l("em", { children: D.value.name }),
+            l("em", { children: F.value.name }),
             " edits"
           ] }) : "",
           "."
@@ -3060,7 +3062,7 @@ function jl() {
           "button",
           {
             onClick: () => {
-              pr.value = "disc", dr("add");
+              dr.value = "disc", mr("add");
             },
             children: "ceiling lamp"
           }
@@ -3070,23 +3072,23 @@ function jl() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        ot.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: ql, children: "Turn on" })
+        rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
+        l("button", { onClick: jl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
         "Slow connection.",
-        l("button", { "aria-pressed": qe.value, onClick: () => qe.value = !0, children: "Sharper" }),
-        l("button", { "aria-pressed": !qe.value, onClick: () => qe.value = !1, children: "Faster" })
+        l("button", { "aria-pressed": We.value, onClick: () => We.value = !0, children: "Sharper" }),
+        l("button", { "aria-pressed": !We.value, onClick: () => We.value = !1, children: "Faster" })
       ] });
     default:
       return null;
   }
 }
-function Ja() {
+function Za() {
   let e = ke.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    jl(),
+    Ul(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3099,31 +3101,31 @@ function Ja() {
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
-      e.length === 1 ? S.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: Sr, children: "End solo" })
+      e.length === 1 ? M.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      l("button", { onClick: Mr, children: "End solo" })
     ] }),
-    l("div", { class: "notes", role: "status", "aria-live": "polite", children: st.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => Qo(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => or(t.id), children: l(G, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var es = g(null);
-function Ul(e, t) {
-  let n = Ga();
+var ts = g(null);
+function Wl(e, t) {
+  let n = Xa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Wl = {
+var Bl = {
   click(e, t, n) {
-    let o = Za(e, t);
+    let o = es(e, t);
     if (z.peek() === null && o) return ze(o.kind, o.id, n);
     wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return ua(r);
-      oa(r, n), P.peek() && (Ie.value = "inspector");
+      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return fa(r);
+      ia(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3132,24 +3134,24 @@ var Wl = {
     });
   },
   double() {
-    cr();
+    fr();
   },
   hover(e, t) {
-    let n = Za(e, t);
-    n?.kind === "lamp" && (de.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
-      _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (de.value = { kind: "lamp", id: o.lamp });
+    let n = es(e, t);
+    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
+      _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
-    de.peek() && (de.value = null);
+    me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (es.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Ul(e, t);
+    if (ts.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Wl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function Za(e, t) {
+function es(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3159,7 +3161,7 @@ function Za(e, t) {
   }
   return o;
 }
-var Bl = {
+var zl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3167,15 +3169,15 @@ var Bl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function ts() {
+function ns() {
   let e = te(null), t = te(null), n = te(null);
   return Ce(() => {
-    rr(t.current);
-    let o = Ya(n.current), r = za(e.current, Wl);
+    Xo(t.current);
+    let o = Qa(n.current), r = Ga(e.current, Bl);
     return () => {
-      rr(null), o(), r();
+      Xo(null), o(), r();
     };
-  }, []), Mi(() => {
+  }, []), Ci(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3187,7 +3189,7 @@ function ts() {
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${J.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
+        "aria-label": `View of ${Z.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
         "aria-describedby": "view-keys",
         "data-tool": z.value ?? "",
         children: [
@@ -3195,13 +3197,13 @@ function ts() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(zl, {})
+          l(Gl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: Bl[z.value] }),
-    l(Ja, {}),
+    z.value && l("p", { class: "hint", role: "status", children: zl[z.value] }),
+    l(Za, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3209,8 +3211,8 @@ function ts() {
     l(ee, { part: "What" })
   ] });
 }
-function zl() {
-  let e = es.value;
+function Gl() {
+  let e = ts.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3225,190 +3227,190 @@ function zl() {
 }
 
 // src/main.tsx
-function Gl() {
+function Xl() {
   return l(X, { children: [
-    l(_a, {}),
-    l(Na, {}),
-    l(ts, {}),
+    l(wa, {}),
+    l(qa, {}),
+    l(ns, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Wa, {}),
+    l(Ba, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ii(l(Gl, {}), ht);
+ai(l(Xl, {}), ht);
 T(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && D.value.you && !ge.value ? "yes" : "no";
+  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
 });
 T(() => {
-  ht.dataset.panels = Uo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
+  ht.dataset.panels = Zo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
 });
 T(() => {
-  document.documentElement.dataset.theme = No.value, document.documentElement.style.setProperty("--house", String(qo.value));
+  document.documentElement.dataset.theme = Yo.value, document.documentElement.style.setProperty("--house", String(Qo.value));
 });
 T(() => {
-  J.value && (document.title = `${J.value.name} – Lampyris`);
+  Z.value && (document.title = `${Z.value.name} – Lampyris`);
 });
-var ns = 0;
+var os = 0;
 T(() => {
-  let [e, t] = _e.value, n = qe.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !D.value.you || (clearTimeout(ns), ns = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(os), os = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ha();
-La();
-Di();
+va();
+Va();
+zi();
 export {
   _n as Fade,
   gn as Field,
   X as Fragment,
-  Ue as Gesture,
+  Be as Gesture,
   G as Icon,
-  kr as Item,
-  Ds as PRESETS,
-  Or as Range,
-  Dr as Virtual,
-  ut as across,
+  xr as Item,
+  Ls as PRESETS,
+  Hr as Range,
+  Fr as Virtual,
+  ot as across,
   oe as act,
   I as add,
-  pr as adding,
-  ul as allActions,
+  dr as adding,
+  dl as allActions,
   Se as ask,
-  ca as asked,
-  Gs as back,
-  mn as before,
-  me as camera,
-  wt as candles,
+  pa as asked,
+  Js as back,
+  pn as before,
+  he as camera,
+  Vt as candles,
   le as chosenLamps,
-  Sr as clearSolo,
+  Mr as clearSolo,
   po as closeWhat,
-  Ra as colorText,
+  Oa as colorText,
   ao as command,
-  hn as compareHeld,
-  he as comparing,
-  Yi as compass,
+  dn as compareHeld,
+  de as comparing,
+  Ii as compass,
   N as computed,
-  br as copyText,
-  Hr as cost,
-  ye as cross,
-  Rr as css,
-  el as cut,
+  yr as copyText,
+  Kr as cost,
+  ge as cross,
+  Or as css,
+  rl as cut,
   Zn as deselect,
   B as digits,
-  it as display,
-  Ke as distance,
+  at as display,
+  He as distance,
   q as dot,
-  ol as each,
-  $e as edit,
-  D as editor,
+  sl as each,
+  Le as edit,
+  F as editor,
   T as effect,
   so as exposeBy,
-  zo as fade,
-  il as falseColor,
-  $s as filterOf,
-  qe as fine,
-  dn as fitted,
+  nr as fade,
+  ul as falseColor,
+  Vs as filterOf,
+  We as fine,
+  hn as fitted,
   vn as format,
-  Xs as forth,
-  cr as frameSelection,
+  Zs as forth,
+  fr as frameSelection,
   ro as free,
-  $l as fromHex,
+  Ll as fromHex,
   Q as go,
-  fr as goHome,
-  Zs as goInside,
-  Js as goPreset,
-  Nn as grids,
-  K as groups,
-  Ws as handles,
-  Kn as hands,
+  pr as goHome,
+  ol as goInside,
+  nl as goPreset,
+  qn as grids,
+  D as groups,
+  Xs as handles,
+  Xn as hands,
   xe as hear,
   ne as here,
-  Ia as hex,
+  Aa as hex,
   co as highlight,
-  ot as history,
-  qo as houseLights,
-  de as hovered,
+  rt as history,
+  Qo as houseLights,
+  me as hovered,
   l as jsx,
   l as jsxs,
-  Bo as lampMarks,
-  S as lamps,
-  on as layers,
-  He as length,
-  _t as listing,
-  ge as lookOnly,
+  tr as lampMarks,
+  M as lamps,
+  sn as layers,
+  Oe as length,
+  Lt as listing,
+  ye as lookOnly,
   Mt as looks,
-  Yo as lumensOf,
+  Uo as lumensOf,
   dt as luxText,
-  Ts as maintenance,
+  qs as maintenance,
   xt as materials,
   Ct as meters,
-  We as middle,
-  Ll as mired,
-  na as nameOf,
-  Z as normal,
-  nl as onTool,
-  at as output,
-  Ml as padWalk,
-  Uo as panels,
-  zn as penless,
+  qe as middle,
+  Vl as mired,
+  ra as nameOf,
+  J as normal,
+  al as onTool,
+  st as output,
+  Cl as padWalk,
+  Zo as panels,
+  Qn as penless,
   Ae as percent,
-  Kr as pickRow,
-  Vt as pinhole,
-  mr as positionOf,
-  cn as project,
-  Ks as ray,
-  ll as register,
+  Dr as pickRow,
+  wt as pinhole,
+  hr as positionOf,
+  tn as project,
+  $s as ray,
+  pl as register,
   pe as role,
-  ae as say,
-  M as scale,
-  J as scene,
+  se as say,
+  S as scale,
+  Z as scene,
   ze as select,
   P as selection,
   H as send,
-  tl as setCut,
+  il as setCut,
   pt as sheet,
-  $t as show,
+  At as show,
   W as shown,
   g as signal,
-  Wo as singleKeys,
-  vl as soloSelection,
+  er as singleKeys,
+  gl as soloSelection,
   to as spot,
-  dr as startTool,
+  mr as startTool,
   Te as status,
-  Os as step,
-  Bs as stepSelection,
-  sl as storeLook,
-  al as storeView,
-  er as stroke,
+  Ws as step,
+  Ys as stepSelection,
+  fl as storeLook,
+  cl as storeView,
+  rr as stroke,
   go as strokeLevel,
-  F as sub,
-  Ar as switchOn,
-  No as theme,
+  K as sub,
+  Rr as switchOn,
+  Yo as theme,
   be as things,
   Xe as three,
   eo as titleOf,
-  $r as toLevel,
-  Pr as toTravel,
-  gr as toggleFalse,
-  pl as toggleWipe,
+  Lr as toLevel,
+  $r as toTravel,
+  br as toggleFalse,
+  Gs as toggleWipe,
   z as tool,
-  Dn as travel,
-  un as turn,
-  Ir as typeGroupLevel,
-  Vr as typeLevel,
+  Yn as travel,
+  en as turn,
+  Ar as typeGroupLevel,
+  Ir as typeLevel,
   Ve as up,
   Ce as useEffect,
-  hs as useLayoutEffect,
+  vs as useLayoutEffect,
   te as useRef,
   Ht as viewName,
   _e as viewSize,
   St as views,
-  Pa as walkNames,
-  jo as walking,
-  vr as wantLevel,
+  $a as walkNames,
+  Jo as walking,
+  gr as wantLevel,
   Ye as what,
-  Gn as whyNot,
-  yr as whyNotTo,
-  cl as wipeAt
+  Jn as whyNot,
+  _r as whyNotTo,
+  Bs as wipeAt
 };

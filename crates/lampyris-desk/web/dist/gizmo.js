@@ -732,7 +732,7 @@ function Va() {
   };
   return _(pn, { children: [
     P("header", { class: "panel-head", children: P(Te, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    P("p", { class: "crumbs", children: t.lux ? `${Ae(t.lux[0] * cn.value)} ±${Ae(t.lux[1] * cn.value, !1)}` : "measuring" }),
+    P("p", { class: "crumbs", children: t.lux?.[1] != null ? `${Ae(t.lux[0] * cn.value)} ±${Ae(t.lux[1] * cn.value, !1)}` : "measuring" }),
     P("div", { class: "scroll", children: _(q, { title: "Meter", children: [
       _("label", { class: "line", children: [
         P("span", { children: "Measures" }),
@@ -2173,7 +2173,7 @@ function Qs() {
     ] }),
     H("ul", { children: [
       Ro.all().map(([t, n]) => {
-        let a = n.lux, o = !a || a[1] > 0.02 * a[0] || Fo();
+        let a = n.lux, o = a?.[1] == null || a[1] > 0.02 * a[0] || Fo();
         return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "meter" && Dt.value.ids.includes(t), onClick: () => qo("meter", t), children: [
           H("span", { class: "tint", children: [
             x(He, { name: "meter" }),
@@ -2181,7 +2181,7 @@ function Qs() {
           ] }),
           x("strong", { class: o ? "unsettled" : "", children: a ? be(a[0] * e) : "…" }),
           H("small", { children: [
-            a ? `±${be(a[1] * e, !1)}` : "measuring",
+            a?.[1] != null ? `±${be(a[1] * e, !1)}` : "measuring",
             " ",
             n.kind,
             n.target ? ` · wants ${be(n.target)}` : ""
@@ -2189,7 +2189,7 @@ function Qs() {
         ] }) }, `m${t}`);
       }),
       Ao.all().map(([t, n]) => {
-        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.02 * n.mean || Fo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
+        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.05 * n.mean || Fo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
         return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "grid" && Dt.value.ids.includes(t), onClick: () => qo("grid", t), children: [
           H("span", { class: "tint", children: [
             x(He, { name: "grid" }),

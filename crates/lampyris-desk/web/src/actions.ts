@@ -2,6 +2,7 @@
 // (later/actions.ts). Here is how it is done, and what the bar does before the list is there.
 
 import { signal } from '@preact/signals';
+import { keepUnlessWiped } from './before';
 import { edit, show, whyNot } from './gesture';
 import { here } from './navigate';
 import { say } from './say';
@@ -31,8 +32,9 @@ export const wantLevel = signal('');
 /** Sends what is no gesture but changes the scene. */
 export function command(message: { do: string } & Record<string, unknown>): void {
     const why = whyNot();
-    if (why) say(why, 'warn');
-    else send(message);
+    if (why) return say(why, 'warn');
+    if (message.do === 'look' ? message.what === 'recall' : message.do !== 'save') keepUnlessWiped();
+    send(message);
 }
 
 export const each = (ids: number[], patch: Patch): Patch => Object.fromEntries(ids.map((id) => [id, patch]));

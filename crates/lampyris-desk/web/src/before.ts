@@ -23,10 +23,12 @@ export function keepBefore(): void {
     if (picture && copy) before.value = { picture: copy, camera: picture.camera };
 }
 
-onBegin(() => {
-    // With the wipe open one compares with what was when it was opened.
+/** Before a change; with the wipe open one compares with what was when it was opened. */
+export function keepUnlessWiped(): void {
     if (comparing.peek() !== 'wipe') keepBefore();
-});
+}
+
+onBegin(keepUnlessWiped);
 
 function usable(): boolean {
     const now = before.peek();

@@ -13,6 +13,8 @@ export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark
     const program = startProgram(file, '--quiet', ...more);
     const browser = await openBrowser();
     const { page, complaints } = await openPage(browser, { width, height, theme });
+    // PAGE: a folder whose page is tried without being built into the program.
+    if (process.env.PAGE) await page.route(/\.(js|css|svg)$/, (route) => route.fulfill({ path: join(process.env.PAGE, basename(new URL(route.request().url()).pathname)) }));
     await page.goto(await program.link);
     await waitState(page, 'refining', 'good', 'done');
     await page.waitForSelector('.view-strip');
@@ -124,7 +126,7 @@ export async function rested(page, batches = 4) {
     // Figures of the line at the bottom come a few times a second.
     await page.waitForTimeout(700);
     await page.waitForFunction((least) => {
-        const told = /(\d+) batches/.exec(document.querySelector('footer').innerText);
+        const told = /(\d+) batches/.exec(document.querySelector('footer.status').innerText);
         return document.querySelector('.quality:is(.refining, .good, .done)') && told && Number(told[1]) >= least;
     }, batches, { timeout: 120_000 });
 }

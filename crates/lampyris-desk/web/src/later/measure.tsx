@@ -19,7 +19,7 @@ export function MeterInspector() {
     return (
         <>
             <header class="panel-head"><Name label="Name of the meter" value={meter.name} set={(name) => set('rename', { name })} /></header>
-            <p class="crumbs">{meter.lux ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
+            <p class="crumbs">{meter.lux?.[1] != null ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
             <div class="scroll">
                 <Section title="Meter">
                     <label class="line">

@@ -92,14 +92,14 @@ function Readings() {
             <ul>
                 {meters.all().map(([id, meter]) => {
                     const lux = meter.lux;
-                    const poor = !lux || lux[1] > 0.02 * lux[0] || settling();
+                    const poor = lux?.[1] == null || lux[1] > 0.02 * lux[0] || settling();
                     return (
                         <li key={`m${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'meter' && selection.value.ids.includes(id)} onClick={() => select('meter', id)}>
                                 <span class="tint"><Icon name="meter" />{meter.name}</span>
                                 <strong class={poor ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
                                 <small>
-                                    {lux ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
+                                    {lux?.[1] != null ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
                                     {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
                                 </small>
                             </button>
@@ -108,7 +108,8 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
-                    const poor = grid.mean == null || grid.error == null || grid.error > 0.02 * grid.mean || settling();
+                    // ± of a mean takes its points to be off all the same way: it is wider than that of a meter.
+                    const poor = grid.mean == null || grid.error == null || grid.error > 0.05 * grid.mean || settling();
                     const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
