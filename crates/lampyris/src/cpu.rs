@@ -175,6 +175,15 @@ impl Cpu {
         Ok(())
     }
 
+    /// [`Cpu::renew`] of the sketch and the meters, where the picture is to be begun anew later ([`Cpu::restart`]).
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn renew_beside(&mut self) -> Result<()> {
+        self.job()?.films().skip(1).for_each(|(world, film)| film.renew(world));
+        Ok(())
+    }
+
     /// Renders one batch and adds it to what is shown, not to the sums.
     ///
     /// # Errors

@@ -24,7 +24,7 @@ pub struct Session {
     near: f32,
     /// Width, height and settings of a sketch beside the picture.
     sketch: Option<([u32; 2], Settings)>,
-    /// The picture is of another view: it is begun anew when a batch is asked for.
+    /// The picture is of another view or of surfaces that are no more: it is begun anew when a batch is asked for.
     stale: bool,
     /// Number of the next batch that is drawn while light changes, below [`Settings::window`].
     turn: u32,
@@ -285,7 +285,7 @@ impl Session {
         done
     }
 
-    /// False while the picture is that of a view before, because there is a sketch.
+    /// False while the picture is that of a view before, or of surfaces as they were, because there is a sketch.
     pub fn is_current(&self) -> bool {
         !self.stale
     }
@@ -356,7 +356,9 @@ impl Session {
         let changes = self.cpu.edit(edit)?;
         self.log.push(edit.clone());
         if changes.restarts_all() && !changes.view {
-            self.cpu.renew()?;
+            // Where there is a sketch the picture waits until it is asked for: to empty it takes longer than to sketch.
+            self.stale |= self.sketch.is_some();
+            if self.stale { self.cpu.renew_beside()? } else { self.cpu.renew()? }
         } else if changes.view {
             self.turn_to_view()?;
         }

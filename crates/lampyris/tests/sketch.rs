@@ -38,7 +38,7 @@ fn a_sketch_is_a_picture_of_its_own() {
     for round in 0..12 {
         for _ in 0..3 {
             // Some edits make no sense in the scene as it stands.
-            let edit = some_edit(&mut c, session.scene().unwrap());
+            let edit = some_edit(session.scene().unwrap(), &mut c);
             let _ = session.edit(&edit);
             if c.unit() < 0.5 {
                 session.step_sketch(&|| true).unwrap();

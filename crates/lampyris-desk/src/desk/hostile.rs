@@ -1,10 +1,11 @@
 //! Messages that mean harm: valid ones, broken by chance. Nothing panics, nothing that is no number gets in, and undo leads
 //! back to the beginning as if nothing had been.
 
-use super::{Desk, Parts};
+use super::{Desk, Inbox, Parts};
 use crate::door::{Door, Role};
 use crate::hub::Hub;
 use crate::model::Model;
+use crate::printer::Printer;
 use crate::screen::Screen;
 use crate::studio::{Studio, bare};
 use crate::wire::{Do, Message};
@@ -115,9 +116,12 @@ impl Dice {
 fn desk(model: &Model, scene: &Scene) -> Desk {
     let parts = Parts {
         hub: Arc::new(Hub::new()),
-        door: Arc::new(Door::new("127.0.0.1:4000".parse().unwrap()).unwrap()),
+        door: Arc::new(Door::new("127.0.0.1:4000".parse().unwrap(), None).unwrap()),
         studio: Arc::new(Studio::new()),
         screen: Arc::new(Screen::new()),
+        // No such program: nothing is printed.
+        printer: Arc::new(Printer::new("no such program".into())),
+        inbox: Inbox::new().0,
         file: "cornell.mgf".into(),
         build: "".into(),
         ends_alone: false,
