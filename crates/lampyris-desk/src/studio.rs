@@ -50,6 +50,9 @@ const SKETCHED: u32 = 4;
 const METERED: u32 = 64;
 const METER_PATHS: u32 = 512;
 
+/// The version of the edits that is kept when some find their place no more.
+const BEFORE: &str = "before reload";
+
 /// Batches that are drawn while nobody looks on.
 const UNSEEN: u32 = 8;
 
@@ -145,6 +148,10 @@ pub(crate) fn run(
         let document = stage.document(desk)?;
         let (scene, lost) = document.apply(std::mem::take(&mut opened.document.scene));
         opened.document.scene = scene;
+        // A file that is being written may lack what comes back with the next reading.
+        if !lost.is_empty() {
+            stage.saver.save(document.clone(), Some(BEFORE.into()));
+        }
         opened.document.warnings.extend(lost.iter().map(|lost| format!("an edit is left out: {lost}")));
         opened.camera = Some(stage.look.camera());
         let Stage { saver, size, camera, look, plain, .. } = stage;
