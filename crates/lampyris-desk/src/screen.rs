@@ -116,6 +116,13 @@ impl Screen {
         self.change(|wanted| wanted.light = light);
     }
 
+    /// All that asked for rays until that message was followed, and none of it changes what is shown.
+    pub(crate) fn reached(&self, seq: u32) {
+        if self.wanted().light.seq < seq {
+            self.change(|wanted| wanted.light.seq = seq);
+        }
+    }
+
     /// It is shown otherwise.
     pub(crate) fn show(&self, show: Show) {
         self.change(|wanted| wanted.show = show);

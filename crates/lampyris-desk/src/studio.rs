@@ -249,7 +249,7 @@ impl Stage {
         let mut last = Turn::Meters;
         loop {
             let watched = studio.watched.load(Ordering::Relaxed);
-            let (turn, until) = self.turn(last, watched);
+            let (_, until) = self.turn(last, watched);
             let mut work = studio.take(until);
             let reload = work.reload.take();
             if work.ended || reload.is_some() {
@@ -258,7 +258,10 @@ impl Stage {
             }
             self.follow(work, inbox)?;
             // What was asked may have changed whose turn it is.
-            let Some(turn) = self.turn(last, watched).0.or(turn) else { continue };
+            let Some(turn) = self.turn(last, watched).0 else {
+                screen.reached(self.seq);
+                continue;
+            };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
             let done = match turn {

@@ -70,7 +70,7 @@ impl Desk {
         request.headers_mut().insert("origin", format!("http://{}", self.host).parse().unwrap());
         request.headers_mut().insert("cookie", cookie.parse().unwrap());
         let (socket, _) = tungstenite::client(request, stream).expect("a socket");
-        Client { socket, seq: 0, frame: None, state: Value::Null, you: Value::Null }
+        Client { socket, seq: 0, frame: None, state: Value::Null, told: 0, you: Value::Null }
     }
 
     /// Has it killed: it can do nothing about it.
@@ -114,6 +114,8 @@ pub(crate) struct Client {
     pub(crate) frame: Option<Frame>,
     /// The state, patched.
     pub(crate) state: Value,
+    /// The last number that was no acknowledgement's.
+    pub(crate) told: u32,
     /// Its number.
     you: Value,
 }
@@ -131,6 +133,9 @@ impl Client {
     /// Says something; returns its number.
     pub(crate) fn say(&mut self, mut message: Value) -> u32 {
         self.seq += 1;
+        if message["do"] != "ack" {
+            self.told = self.seq;
+        }
         message["seq"] = self.seq.into();
         // Who was hung up on hears so.
         let _ = self.socket.send(Message::text(message.to_string()));
