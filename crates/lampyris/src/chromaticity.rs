@@ -42,7 +42,7 @@ impl Chromaticity {
         Chromaticity::integrate(at)
     }
 
-    /// Of a black body at a temperature [K], > 0.
+    /// Of a black body at a temperature in kelvin, > 0.
     pub fn from_temperature(kelvin: f64) -> Option<Chromaticity> {
         // c₂ = hc/k [nm·K]; relative to 780 nm, where least is lost at low temperatures.
         let exponent = |nm: f64| 1.438_776_877e7 / (nm * kelvin);
@@ -53,7 +53,7 @@ impl Chromaticity {
         })
     }
 
-    /// Of a black body at a temperature [K], > 0, moved off the curve of black bodies by Duv (CIE 1960 u, v; positive toward
+    /// Of a black body at a temperature in kelvin, > 0, moved off the curve of black bodies by Duv (CIE 1960 u, v; positive toward
     /// green), as lamps that are no black bodies are told by.
     pub fn from_temperature_and_tint(kelvin: f64, duv: f64) -> Option<Chromaticity> {
         let body = Chromaticity::from_temperature(kelvin)?;
