@@ -99,6 +99,8 @@ struct Stage {
     camera: Arc<CameraText>,
     size: [u32; 2],
     sketch: [u32; 2],
+    /// Whether a sketch was shown last.
+    sketched: bool,
     /// Batches after which a picture is finished.
     enough: u32,
     /// The last message that asked for rays and was followed.
@@ -225,6 +227,7 @@ impl Stage {
             plain: camera,
             size,
             sketch: [0; 2],
+            sketched: false,
             enough: batches,
             seq: 0,
             moved: None,
@@ -259,6 +262,11 @@ impl Stage {
             self.follow(work, inbox)?;
             // What was asked may have changed whose turn it is.
             let Some(turn) = self.turn(last, watched).0 else {
+                // What moved may have come back to where it was, and the picture is already there.
+                let rests = self.moved.is_none_or(|at| at.elapsed() >= REST);
+                if self.sketched && rests && self.session.is_current() && self.batches() > 0 {
+                    self.show(Turn::Picture, 0.0, screen, inbox)?;
+                }
                 screen.reached(self.seq);
                 continue;
             };
@@ -320,7 +328,8 @@ impl Stage {
             (true, _) => (Some(Turn::Picture), Some(now)),
             (false, true) => (Some(Turn::Meters), Some(now)),
             (false, false) if !self.pursued.is_empty() => (Some(Turn::Question), Some(now)),
-            (false, false) => (None, None),
+            // The picture is there, and is to be shown where a sketch was last.
+            (false, false) => (None, self.sketched.then_some(now)),
         }
     }
 
@@ -479,7 +488,7 @@ impl Stage {
             seq: self.seq,
             seconds,
         });
-        self.shown = Instant::now();
+        (self.shown, self.sketched) = (Instant::now(), sketched);
         inbox.put(Event::Progress(progress));
         Ok(())
     }
