@@ -423,7 +423,6 @@ fn edit_by_chance(name: &str, seed: u64, edits: usize) -> Vec<(f64, f64)> {
 
 /// What a hundred and fifty edits leave.
 #[test]
-#[ignore = "long: waits for ever at times, for a reason that is not found yet"]
 fn edits_by_chance() {
     edit_by_chance("edits", 1, 150);
 }

@@ -270,7 +270,7 @@ impl Desk {
                     if self.saved["state"] == "failed" {
                         // Until there is room again, or another folder.
                         self.save_in(AGAIN);
-                    } else if self.unsaved.is_some() {
+                    } else if self.unsaved.is_some() || self.saving > 0 {
                         self.saved["state"] = "waiting".into();
                     }
                     if self.saved != before {
@@ -339,10 +339,14 @@ impl Desk {
         }
     }
 
-    /// Edits are to be written down before so long.
+    /// Edits are to be written down before so long; until they are, nobody is told that they are saved.
     fn save_in(&mut self, wait: Duration) {
         let due = Instant::now() + wait;
         self.unsaved = Some(self.unsaved.map_or(due, |own| own.min(due)));
+        if matches!(self.saved["state"].as_str(), Some("clean" | "saved")) {
+            self.saved["state"] = "waiting".into();
+            self.tell_patch(json!({"saved": self.saved}));
+        }
     }
 
     /// Has the edits written down, if there are some, or as a version of a name.
