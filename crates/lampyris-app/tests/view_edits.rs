@@ -314,7 +314,12 @@ fn final_picture(client: &mut Client) -> Vec<u8> {
 fn lasting(state: &Value) -> Value {
     let slices = ["lamps", "groups", "things", "materials", "views", "looks", "meters", "grids"];
     let kept = slices.map(|slice| (slice.to_owned(), state[slice].clone()));
-    Value::Object(kept.into_iter().collect())
+    let mut all = Value::Object(kept.into_iter().collect());
+    // Thumbnails come when the picture has settled.
+    for look in all["looks"].as_object_mut().unwrap().values_mut() {
+        look["picture"] = Value::Null;
+    }
+    all
 }
 
 /// As much, but for the layers that lamps were taken apart into, which stay apart.

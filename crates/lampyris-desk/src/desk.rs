@@ -5,10 +5,12 @@ mod answering;
 mod editing;
 #[cfg(test)]
 mod hostile;
+mod looks;
 mod reaching;
 mod telling;
 
 use crate::adding::NewLamp;
+use crate::album::Album;
 use crate::door::{Door, Role};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
@@ -135,6 +137,7 @@ pub(crate) struct Desk {
     studio: Arc<Studio>,
     screen: Arc<Screen>,
     printer: Arc<Printer>,
+    album: Arc<Album>,
     inbox: Inbox,
     /// Pictures that wait until all is saved.
     orders: Vec<Order>,
@@ -171,6 +174,8 @@ pub(crate) struct Desk {
     enough: u32,
     /// Documents on their way to the disk.
     saving: u32,
+    /// Some looks may have no thumbnail.
+    unseen: bool,
 }
 
 /// What decides a desk when it begins.
@@ -180,6 +185,7 @@ pub(crate) struct Parts {
     pub(crate) studio: Arc<Studio>,
     pub(crate) screen: Arc<Screen>,
     pub(crate) printer: Arc<Printer>,
+    pub(crate) album: Arc<Album>,
     pub(crate) inbox: Inbox,
     pub(crate) file: PathBuf,
     pub(crate) build: Arc<str>,
@@ -189,13 +195,14 @@ pub(crate) struct Parts {
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, printer, inbox, file, build, ends_alone, enough } = parts;
+        let Parts { hub, door, studio, screen, printer, album, inbox, file, build, ends_alone, enough } = parts;
         Ok(Desk {
             hub,
             door,
             studio,
             screen,
             printer,
+            album,
             inbox,
             orders: Vec::new(),
             file,
@@ -223,6 +230,7 @@ impl Desk {
             ends_alone,
             enough,
             saving: 0,
+            unseen: false,
         })
     }
 
@@ -238,6 +246,8 @@ impl Desk {
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
                     self.solo.retain(|id| (*id as usize) < self.model.lamps.len());
                     self.look = Some(look);
+                    self.album.clear();
+                    self.unseen = true;
                     self.screen.mix(self.colors(), 0.0);
                     self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
@@ -314,6 +324,9 @@ impl Desk {
                     }
                 }
                 Event::End => break,
+            }
+            if self.unseen {
+                self.photograph();
             }
         }
         self.end_gesture();

@@ -1,5 +1,6 @@
 //! The server: the page's files, the way in, and the sockets. Whoever dawdles over a request is let go.
 
+use crate::album::{self, Album};
 use crate::client;
 use crate::desk::Inbox;
 use crate::door::{Door, Refusal};
@@ -49,6 +50,7 @@ pub(crate) struct Server {
     pub(crate) inbox: Inbox,
     pub(crate) build: Arc<str>,
     printer: Arc<Printer>,
+    album: Arc<Album>,
     clients: Arc<AtomicU64>,
 }
 
@@ -61,8 +63,14 @@ pub(crate) fn listen(address: SocketAddr) -> Result<std::net::TcpListener> {
 }
 
 impl Server {
-    pub(crate) fn new(door: Arc<Door>, hub: Arc<Hub>, inbox: Inbox, printer: Arc<Printer>) -> Server {
-        Server { door, hub, inbox, printer, build: page::build().into(), clients: Arc::default() }
+    pub(crate) fn new(
+        door: Arc<Door>,
+        hub: Arc<Hub>,
+        inbox: Inbox,
+        printer: Arc<Printer>,
+        album: Arc<Album>,
+    ) -> Server {
+        Server { door, hub, inbox, printer, album, build: page::build().into(), clients: Arc::default() }
     }
 
     /// Serves on a thread of its own, for good.
@@ -143,6 +151,7 @@ impl Server {
             (&Method::POST, "/enter") => self.enter(request).await,
             (&Method::GET, "/wire") => self.upgrade(request),
             (&Method::GET, path) if path.starts_with(MADE) => self.made(&request),
+            (&Method::GET, path) if path.starts_with(album::PLACE) => self.photo(&request),
             (&Method::GET | &Method::HEAD, path) => match page::FILES.iter().find(|file| file.path == path) {
                 Some(file) => Ok(self.file(file, &request)),
                 None => Err(Refusal(404, "there is no such page")),
@@ -175,6 +184,16 @@ impl Server {
         let kind = if name.ends_with(".png") { "image/png" } else { "image/x-exr" };
         answer.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(kind));
         answer.headers_mut().insert(header::CONTENT_DISPOSITION, HeaderValue::from_static("attachment"));
+        Ok(answer)
+    }
+
+    /// The thumbnail of a look. Only who came in may have it.
+    fn photo(&self, request: &Request<Incoming>) -> std::result::Result<Answer, Refusal> {
+        self.door.admit(cookies(request))?;
+        let none = Refusal(404, "there is no such look");
+        let photo = self.album.photo(request.uri().path()).ok_or(none)?;
+        let mut answer = Response::new(Full::from(photo.to_vec()));
+        answer.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("image/jpeg"));
         Ok(answer)
     }
 

@@ -6,6 +6,7 @@
 //! does not read is let go. What is said between them and a page is in docs/wire.md.
 
 mod adding;
+mod album;
 mod client;
 mod color;
 mod desk;
@@ -35,6 +36,7 @@ mod wire;
 pub use error::{Error, Result};
 pub use studio::Opened;
 
+use album::Album;
 use desk::{Desk, Event, Inbox, Parts};
 use door::Door;
 use hub::Hub;
@@ -105,13 +107,16 @@ pub fn serve<E: From<Error> + Display + Send>(
     let (inbox, events) = Inbox::new();
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
     let printer = Arc::new(Printer::new(options.program.clone()));
-    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone());
+    let album = Arc::new(Album::default());
+    let server =
+        http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone(), album.clone());
     let parts = Parts {
         hub: hub.clone(),
         door: door.clone(),
         studio: studio.clone(),
         screen: screen.clone(),
         printer,
+        album,
         inbox: inbox.clone(),
         file: options.file.clone(),
         build: server.build.clone(),

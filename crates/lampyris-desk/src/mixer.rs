@@ -3,7 +3,7 @@
 
 use crate::model::{Lamp, Model};
 use lampyris::Rgb;
-use lampyris::scene::{Edit, Scene};
+use lampyris::scene::{Edit, Group, Scene};
 
 /// Most layers that lamps are taken apart into: each costs 24 bytes a pixel, and its share of every batch.
 pub(crate) const LAYERS: usize = 24;
@@ -20,6 +20,30 @@ fn wanted(model: &Model, lamp: &Lamp, base: Rgb) -> Rgb {
         Rgb::new(channel(0), channel(1), channel(2))
     });
     color * level
+}
+
+/// What a model wants of each layer of a scene as its lamps are sorted now. Of lamps that share a layer and are to differ it
+/// is the mean, by their flux.
+pub(crate) fn colors(model: &Model, scene: &Scene) -> Vec<Rgb> {
+    let mut wanting: Vec<Vec<(Rgb, f32)>> = vec![Vec::new(); scene.groups.len()];
+    for lamp in &model.lamps {
+        for (emitter, base) in &lamp.emitters {
+            let share = scene.reference.shares.get(*emitter as usize);
+            if let Some(own) = share.and_then(|share| wanting.get_mut(usize::from(share.group))) {
+                own.push((wanted(model, lamp, *base), lamp.flux.unwrap_or(1.0) / lamp.emitters.len() as f32));
+            }
+        }
+    }
+    let mean = |(own, group): (&Vec<(Rgb, f32)>, &Group)| match own.as_slice() {
+        [] => group.color,
+        // Where all want the same it is that, to the bit.
+        [(first, _), rest @ ..] if rest.iter().all(|(color, _)| color == first) => *first,
+        all => {
+            let flux = all.iter().map(|(_, flux)| flux).sum::<f32>();
+            all.iter().fold(Rgb::BLACK, |sum, (color, flux)| sum + *color * *flux) * (1.0 / flux.max(1e-9))
+        }
+    };
+    wanting.iter().zip(&scene.groups).map(mean).collect()
 }
 
 /// Brings the layers of a scene to what a model wants of them, and returns the edits that did so; or why there are too few

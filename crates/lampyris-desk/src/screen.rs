@@ -147,6 +147,13 @@ impl Screen {
         });
     }
 
+    /// What is shown if it is no sketch and has all that was asked for, and what it is.
+    pub(crate) fn settled(&self) -> Option<(Arc<Still>, Kind)> {
+        let wanted = self.wanted();
+        let kind = wanted.light.kind.filter(|kind| *kind != Kind::Moving && wanted.light.seq >= wanted.traced);
+        wanted.light.still.clone().zip(kind)
+    }
+
     /// The camera and size of a frame that was shown.
     pub(crate) fn frame(&self, number: u32) -> Option<Frame> {
         self.wanted().frames.iter().find(|(own, _)| *own == number).map(|(_, frame)| frame.clone())
@@ -248,7 +255,7 @@ impl Screen {
 }
 
 /// JPEG while it is not final, then PNG.
-fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
+pub(crate) fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
     if show.white != Rgb::WHITE {
         radiance.iter_mut().for_each(|c| *c *= show.white);
     }

@@ -46,6 +46,24 @@ impl Desk {
         (status, head.into(), body.into())
     }
 
+    /// What a path has for who came in by a cookie: its status and its bytes.
+    pub(crate) fn get(&self, path: &str, cookie: &str) -> (u16, Vec<u8>) {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        let host = &self.host;
+        write!(
+            stream,
+            "GET {path} HTTP/1.1\r\nHost: {host}\r\nCookie: {cookie}\r\nConnection: close\r\n\r\n"
+        )
+        .unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        let end = answer.windows(4).position(|four| four == b"\r\n\r\n").expect("a head");
+        let head = String::from_utf8_lossy(&answer[..end]).into_owned();
+        let status = head.split_whitespace().nth(1).and_then(|n| n.parse().ok()).unwrap_or(0);
+        (status, answer.split_off(end + 4))
+    }
+
     /// The cookie that a key buys.
     pub(crate) fn cookie(&self, key: &str) -> String {
         let host = &self.host;

@@ -11,7 +11,7 @@ use crate::state;
 use glam::Vec3;
 use lampyris::light::{Light, State};
 use lampyris::scene::Edit;
-use serde_json::{Value, json};
+use serde_json::json;
 
 /// The group of lamps that were added.
 const ADDED: &str = "added";
@@ -105,53 +105,6 @@ impl Desk {
         Ok(true)
     }
 
-    /// Looks: what all faders stand at.
-    pub(super) fn look(
-        &mut self,
-        seq: u32,
-        (id, name): (Option<u32>, Option<String>),
-        what: &str,
-        seconds: f32,
-    ) -> Result<bool, String> {
-        let looks = &self.model.notes.looks;
-        let known = |id: Option<u32>| id.filter(|id| looks.contains_key(id)).ok_or("there is no such look");
-        let named =
-            |id: u32| looks.get(&id).and_then(|look| look["name"].as_str()).unwrap_or_default().to_owned();
-        let set = |id: u32, look: Option<Value>| Patch { looks: [(id, look)].into(), ..Patch::default() };
-        let (label, patch) = match what {
-            "store" => {
-                let id = looks.keys().next_back().map_or(0, |last| last + 1);
-                let name = name.unwrap_or_else(|| format!("look {}", id + 1));
-                (
-                    format!("Store {name}"),
-                    set(id, Some(json!({"name": name, "patch": state::faders(&self.model)}))),
-                )
-            }
-            "update" => {
-                let id = known(id)?;
-                let look = json!({"name": named(id), "patch": state::faders(&self.model)});
-                (format!("Update {}", named(id)), set(id, Some(look)))
-            }
-            "rename" => {
-                let id = known(id)?;
-                let mut look = looks[&id].clone();
-                look["name"] = name.ok_or("need a name")?.into();
-                (format!("Rename {}", named(id)), set(id, Some(look)))
-            }
-            "remove" => {
-                let id = known(id)?;
-                (format!("Remove {}", named(id)), set(id, None))
-            }
-            "recall" => {
-                let id = known(id)?;
-                let patch = serde_json::from_value(looks[&id]["patch"].clone()).map_err(|e| e.to_string())?;
-                (named(id), patch)
-            }
-            _ => return Err("need store, recall, update, rename or remove".into()),
-        };
-        self.in_gesture(seq, &label, |desk| desk.edit(seq, patch, seconds))
-    }
-
     /// The way things fall.
     pub(super) fn down(&self) -> Vec3 {
         self.scene.as_ref().and_then(|scene| scene.up).map_or(Vec3::NEG_Z, |up| -up)
@@ -194,11 +147,12 @@ impl Desk {
                 self.studio.edit(edits, seq);
                 self.save_in(SOON);
                 self.screen.mix(self.colors(), seconds);
+                self.unseen |= !touched.looks.is_empty();
                 if !touched.meters.is_empty() || !touched.grids.is_empty() {
                     self.lay_out();
                 }
                 let Some(scene) = &self.scene else { return Ok((inverse, traced)) };
-                let patch = state::of(&self.model, scene, &touched);
+                let patch = self.with_photos(state::of(&self.model, scene, &touched));
                 self.tell_patch_of(seq, patch);
                 Ok((inverse, traced))
             }

@@ -121,6 +121,7 @@ fn desk(model: &Model, scene: &Scene) -> Desk {
         screen: Arc::new(Screen::new()),
         // No such program: nothing is printed.
         printer: Arc::new(Printer::new("no such program".into())),
+        album: Arc::default(),
         inbox: Inbox::new().0,
         file: "cornell.mgf".into(),
         build: "".into(),

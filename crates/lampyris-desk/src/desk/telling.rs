@@ -35,7 +35,7 @@ impl Desk {
 
     pub(super) fn tell_state(&self, client: u64) {
         let Some(scene) = &self.scene else { return };
-        let mut whole = state::whole(&self.model, scene);
+        let mut whole = self.with_photos(state::whole(&self.model, scene));
         whole["scene"] = state::scene(scene, &self.file, &self.model, &self.warnings);
         whole["layers"] = state::layers(Some(scene), self.progress.as_ref());
         whole["display"] = self.display();

@@ -46,6 +46,12 @@ pub(super) struct Standing {
     pub(super) plane: Plane,
 }
 
+impl Standing {
+    fn term(&self) -> Term {
+        Term::whole(&self.plane, self.share)
+    }
+}
+
 /// A plane and how much of it counts.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
@@ -115,6 +121,12 @@ impl Still {
         self.blend.mix(|number| colors.get(number).copied())
     }
 
+    /// The same in few pixels, each the mean of some of those that it covers, 16 of them at most: a thumbnail, made in as many
+    /// steps as it has pixels, however large the picture is.
+    pub fn small(&self, colors: &[Rgb], size: [u32; 2]) -> Vec<Rgb> {
+        self.blend.small(|number| colors.get(number).copied(), size)
+    }
+
     /// What is shown of the batches of one layer, in white [cd/m²]; `None` if there is none of that number. What stands in
     /// for layers is in none of them.
     pub fn layer(&self, number: usize) -> Option<Vec<Rgb>> {
@@ -129,6 +141,38 @@ impl Blend {
         self.mix_of(|_| true, color)
     }
 
+    /// All of it in few pixels.
+    fn small(&self, color: impl Fn(usize) -> Option<Rgb>, [width, height]: [u32; 2]) -> Vec<Rgb> {
+        let held: Vec<Term> = self.held.iter().map(Standing::term).collect();
+        let own = self.layers.iter().enumerate().flat_map(|(number, layer)| {
+            let color = own_color(&self.held, number, color(number).unwrap_or(layer.color));
+            layer.terms.iter().map(move |term| (term, color))
+        });
+        let terms: Vec<(&Term, Rgb)> = own.chain(held.iter().map(|term| (term, Rgb::WHITE))).collect();
+        // The middles of the parts into which a small pixel is cut, as pixels of the picture.
+        let samples = |small: u32, count: u32, all: u32| {
+            let parts = (all / count.max(1)).clamp(1, PARTS);
+            let middle = move |part: u32| {
+                let (of, whole) = (u64::from(2 * count * parts), u64::from(all));
+                (u64::from(2 * (small * parts + part) + 1) * whole / of) as usize
+            };
+            (0..parts).map(middle)
+        };
+        let [whole_width, whole_height] = self.size;
+        let pixel = |small: (u32, u32)| {
+            let (mut sum, mut count) = (Rgb::BLACK, 0);
+            for y in samples(small.1, height, whole_height) {
+                for x in samples(small.0, width, whole_width) {
+                    let at = y * whole_width as usize + x;
+                    sum = terms.iter().fold(sum, |sum, (term, color)| sum + term.at(at) * *color);
+                    count += 1;
+                }
+            }
+            sum * (1.0 / count as f32)
+        };
+        (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(pixel).collect()
+    }
+
     /// Some layers: of those that are held together all or none.
     pub(super) fn mix_of(
         &self,
@@ -141,10 +185,13 @@ impl Blend {
             layer.terms.iter().map(move |term| (term, color))
         });
         let held = self.held.iter().filter(|held| held.layers.iter().any(|(number, _)| wanted(*number)));
-        let held: Vec<Term> = held.map(|held| Term::whole(&held.plane, held.share)).collect();
+        let held: Vec<Term> = held.map(Standing::term).collect();
         sum(self.size, own.chain(held.iter().map(|term| (term, Rgb::WHITE))))
     }
 }
+
+/// Parts of a pixel of a thumbnail each way, of which one pixel of the picture each is looked at.
+const PARTS: u32 = 4;
 
 /// What a layer's own batches are multiplied by where the layer has that colour.
 pub(super) fn own_color(held: &[Standing], layer: usize, color: Rgb) -> Rgb {
@@ -239,6 +286,32 @@ mod tests {
     use super::*;
     use crate::eye::Rect;
     use crate::settings::Settings;
+
+    /// A thumbnail in the picture's own size is the picture; in another, of one that is even, it is as even; and of a slope
+    /// each of its pixels has the mean of those below.
+    #[test]
+    fn thumbnails_are_means() {
+        let size = [48, 24];
+        let mut frame = Frame::new(size[0], size[1], &[], &Settings::default(), 2);
+        let rect = Rect { x: 0, y: 0, width: 48, height: 24 };
+        let pixels = || (0..24u16).flat_map(|y| (0..48u16).map(move |x| (x, y)));
+        let slope: Vec<Rgb> = pixels().map(|(x, y)| Rgb::grey(f32::from(x) + 64.0 * f32::from(y))).collect();
+        for (layer, values) in [slope, vec![Rgb::new(1.0, 2.0, 3.0); 48 * 24]].into_iter().enumerate() {
+            frame.add(0, &[(layer, vec![(rect, vec![values])])]);
+            frame.count(layer, 0);
+        }
+        let still = frame.still();
+        let colors = [Rgb::grey(0.5), Rgb::new(4.0, 2.0, 1.0)];
+        assert_eq!(still.small(&colors, size), still.mix(&colors));
+        assert_eq!(still.small(&[Rgb::BLACK, Rgb::WHITE], [7, 5]), vec![Rgb::new(1.0, 2.0, 3.0); 35]);
+        // Four by four pixels each, all of them looked at.
+        let small = still.small(&[Rgb::WHITE, Rgb::BLACK], [12, 6]);
+        for (k, own) in small.iter().enumerate() {
+            let (x, y) = ((k % 12) as f32, (k / 12) as f32);
+            assert_eq!(*own, Rgb::grey(4.0 * x + 1.5 + 64.0 * (4.0 * y + 1.5)), "{k}");
+        }
+        assert_eq!(still.small(&colors, [0, 3]), []);
+    }
 
     /// Whoever adds a batch copies the layers that it is for, as long as a still holds them, and no others.
     #[test]
