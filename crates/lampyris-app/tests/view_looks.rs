@@ -1,4 +1,4 @@
-//! Looks as a client of the desk finds them: their thumbnails.
+//! Looks as a client of the desk finds them: their thumbnails, and differences to them.
 
 mod support;
 
@@ -85,4 +85,134 @@ fn looks_have_thumbnails() {
     client.ask(json!({"do": "display", "patch": {"ev": 0}})).unwrap();
     let again = thumbnail(&mut client, "1", &Value::Null);
     assert_eq!(fetched(&desk, &again).dimensions(), SIZE.into());
+}
+
+/// Shows false colour and returns the final picture of it, with the colours of the legend.
+fn false_color(client: &mut Client, asked: Value) -> (image::RgbImage, Vec<String>) {
+    client.say(json!({"do": "display", "patch": {"false_color": asked}}));
+    client.until(|value| value["patch"]["display"]["false_color"]["quantity"] == asked["quantity"]);
+    let colors = client.state["display"]["false_color"]["colors"].clone();
+    let picture = final_picture(client);
+    (picture, serde_json::from_value(colors).unwrap())
+}
+
+/// Pixels that are no hatching.
+fn told(picture: &image::RgbImage) -> impl Iterator<Item = [u8; 3]> {
+    picture.pixels().map(|p| p.0).filter(|p| ![[96; 3], [128; 3]].contains(p))
+}
+
+/// What meter 0 reads and by how much that is more, once both are of the mix that was asked for last.
+fn reading(client: &mut Client, lux: impl Fn(f64) -> bool) -> (f64, Option<f64>) {
+    loop {
+        let meter = &client.state["meters"]["0"];
+        if let Some(value) = meter["lux"][0].as_f64().filter(|value| lux(*value)) {
+            return (value, meter["change"].as_f64());
+        }
+        client.until(|value| !value["patch"]["meters"]["0"].is_null());
+    }
+}
+
+/// To itself a look has no difference; to a look in the dark all light is one, to the bit; and half the light is as much less
+/// than all of it as it is more than none. Meters and the pointer tell the same in figures.
+#[test]
+fn differences_to_looks_are_told_in_lux() {
+    let folder = Folder::new("differences");
+    let desk = Desk::start(&folder, "cornell.mgf --size 64x48 --batches 4 --threads 2");
+    let mut client = desk.client(&desk.key);
+    client.until(|value| value["is"] == "state");
+    let meter = json!({"name": "m", "kind": "horizontal", "point": [1.0, 0.5, 0.5], "normal": [0, 1, 0]});
+    client.ask(json!({"do": "set", "patch": {"meters": {"0": meter}}})).unwrap();
+    client.ask(json!({"do": "look", "what": "store", "name": "bright"})).unwrap();
+    let level = |client: &mut Client, level: f64| {
+        client.ask(json!({"do": "set", "patch": {"lamps": {"0": {"level": level}}}})).unwrap();
+    };
+    let difference = |look: u32, high: f64| {
+        json!({"quantity": "difference", "against": look, "low": -high, "high": high, "scale": "linear",
+               "palette": "diverging"})
+    };
+    let (none, colors) = false_color(&mut client, difference(0, 100.0));
+    assert_eq!(colors.len(), 33);
+    let hex = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
+    assert!(told(&none).count() > 500 && told(&none).all(|p| hex(p) == colors[16]));
+    let (full, _) = reading(&mut client, |lux| lux > 0.0);
+
+    level(&mut client, 0.0);
+    client.ask(json!({"do": "look", "what": "store", "name": "dark"})).unwrap();
+    level(&mut client, 0.5);
+    let (more, _) = false_color(&mut client, difference(1, full));
+    let lit = json!({"quantity": "illuminance", "low": -full, "high": full, "scale": "linear", "palette": "diverging"});
+    let (all, _) = false_color(&mut client, lit);
+    assert_eq!(more.as_raw(), all.as_raw());
+    let (less, _) = false_color(&mut client, difference(0, full));
+    // What is blue is as dark as what is orange: seen by its place in the legend.
+    let at = |colors: &[String], p: [u8; 3]| colors.iter().position(|own| *own == hex(p));
+    assert!(told(&less).all(|p| at(&colors, p).is_none_or(|place| place <= 16)));
+    assert!(told(&more).all(|p| at(&colors, p).is_none_or(|place| place >= 16)));
+    assert!(told(&less).any(|p| p != told(&none).next().unwrap()));
+
+    // At a quarter meters read a quarter, three quarters less than all.
+    level(&mut client, 0.25);
+    let quarter = reading(&mut client, |lux| lux < 0.4 * full);
+    let change = quarter.1.expect("a change");
+    assert!((change / (-3.0 * quarter.0) - 1.0).abs() < 1e-4, "{quarter:?}");
+    let frame = client.frame.clone().unwrap().number;
+    let mut pointed = 0;
+    for (id, x) in (1..).zip([8.0, 24.0, 40.0, 56.0]) {
+        client.say(json!({"do": "ask", "id": id, "what": "point", "frame": frame, "x": x, "y": 40.0}));
+        let answer = client.until(|value| value["is"] == "answer" && value["id"] == id);
+        if let Some((lux, change)) = answer["lux"][0].as_f64().zip(answer["change"].as_f64()) {
+            pointed += 1;
+            assert!((change / (-3.0 * lux) - 1.0).abs() < 1e-3, "{answer}");
+        }
+    }
+    assert!(pointed > 0);
+
+    // Nothing is compared with what is not there.
+    client.say(json!({"do": "display", "patch": {"false_color": difference(7, 10.0)}}));
+    let refused = client.until(|value| value["is"] == "refused");
+    assert!(refused["why"].as_str().unwrap().contains("no such look"));
+    assert_eq!(client.state["display"]["false_color"]["against"], 0);
+    client.ask(json!({"do": "look", "what": "remove", "id": 0})).unwrap();
+    while !client.state["display"]["false_color"].is_null() {
+        client.until(|value| !value["patch"]["display"].is_null());
+    }
+    assert_eq!(desk.end(), 130);
+}
+
+/// Levels are set so that targets are met whatever ± says, up to the lamp's flux, and beyond it if asked to.
+#[test]
+fn targets_are_met_for_certain() {
+    let folder = Folder::new("reach");
+    let desk = Desk::start(&folder, "cornell.mgf --size 32x24 --batches 2 --threads 2");
+    let mut client = desk.client(&desk.key);
+    client.until(|value| value["is"] == "state");
+    let meter = json!({"name": "m", "kind": "horizontal", "point": [1.0, 0.5, 0.5], "normal": [0, 1, 0]});
+    client.ask(json!({"do": "set", "patch": {"meters": {"0": meter}}})).unwrap();
+    let read = |client: &mut Client, wanted: &dyn Fn(f64) -> bool| loop {
+        let lux = &client.state["meters"]["0"]["lux"];
+        if let Some((value, error)) = lux[0].as_f64().zip(lux[1].as_f64()).filter(|own| wanted(own.0)) {
+            return (value, error);
+        }
+        client.until(|value| !value["patch"]["meters"]["0"].is_null());
+    };
+    let (full, _) = read(&mut client, &|lux| lux > 0.0);
+    let mut reach = |target: f64, most: Value| {
+        client.ask(json!({"do": "set", "patch": {"meters": {"0": {"target": target}}}})).unwrap();
+        read(&mut client, &|lux| lux > 0.0);
+        client.ask(json!({"do": "reach", "most": most})).unwrap();
+        let level = client.state["lamps"]["0"]["level"].as_f64().unwrap();
+        (level, read(&mut client, &|lux| (lux / (level * full) - 1.0).abs() < 0.2))
+    };
+    let (level, (lux, error)) = reach(0.5 * full, json!(1));
+    assert!(lux > 0.5 * full && lux - error > 0.49 * full && lux < 0.65 * full, "{level}: {lux} ±{error}");
+    let (level, _) = reach(3.0 * full, json!(1));
+    assert_eq!(level, 1.0);
+    let (level, _) = reach(3.0 * full, json!(2));
+    assert_eq!(level, 2.0);
+    let (level, (lux, error)) = reach(1.2 * full, json!(2));
+    assert!(level > 1.0 && level < 1.6 && lux > 1.2 * full, "{level}: {lux} ±{error}");
+    for bad in [json!(0.5), json!(11), json!("much")] {
+        assert!(client.ask(json!({"do": "reach", "most": bad})).is_err());
+    }
+    assert_eq!(desk.end(), 130);
 }

@@ -2,6 +2,7 @@
 //! the studio's, pictures the screen's.
 
 mod answering;
+mod comparing;
 mod editing;
 #[cfg(test)]
 mod hostile;
@@ -14,7 +15,7 @@ use crate::album::Album;
 use crate::door::{Door, Role};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
-use crate::legend::{Legend, Quantity};
+use crate::legend::Legend;
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
@@ -24,6 +25,7 @@ use crate::screen::{Screen, Show};
 use crate::state;
 use crate::studio::{Found, Opened, Progress, Studio};
 use crate::wire::{Do, Look, Message, PROTOCOL};
+use lampyris::Rgb;
 use lampyris::cpu::Answer;
 use lampyris::measuring::Estimate;
 use lampyris::output::ToneCurve;
@@ -79,8 +81,8 @@ pub(crate) enum Event {
     /// What the meters read.
     Measured {
         readings: Vec<Estimate>,
-        /// Of each layer, what it gives each of them [lx].
-        by_layer: Vec<Vec<f32>>,
+        /// Of each layer in white, the radiance of what it gives each of them, matt and white [cd/m²].
+        by_layer: Vec<Vec<Rgb>>,
     },
     /// The scene's file is another one, and was read.
     Changed(Box<Opened>),
@@ -151,8 +153,10 @@ pub(crate) struct Desk {
     layout: Layout,
     /// What is said of meters and grids.
     told: Value,
-    /// Of each layer, what it gives each point that is measured [lx].
-    by_layer: Vec<Vec<f32>>,
+    /// What each point that is measured reads [lx], and of each layer in white, what it sends out if it is matt and white
+    /// [cd/m²].
+    readings: Vec<Estimate>,
+    by_layer: Vec<Vec<Rgb>>,
     saved: Value,
     /// By when there is something to save.
     unsaved: Option<Instant>,
@@ -176,6 +180,8 @@ pub(crate) struct Desk {
     saving: u32,
     /// Some looks may have no thumbnail.
     unseen: bool,
+    /// Whether the layers can show the look that is compared with as it is.
+    exact: bool,
 }
 
 /// What decides a desk when it begins.
@@ -213,6 +219,7 @@ impl Desk {
             look: None,
             layout: Layout::default(),
             told: Value::Null,
+            readings: Vec::new(),
             by_layer: Vec::new(),
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
@@ -231,6 +238,7 @@ impl Desk {
             enough,
             saving: 0,
             unseen: false,
+            exact: true,
         })
     }
 
@@ -248,7 +256,10 @@ impl Desk {
                     self.look = Some(look);
                     self.album.clear();
                     self.unseen = true;
-                    self.screen.mix(self.colors(), 0.0);
+                    self.end_comparison_with_nothing();
+                    self.remix(0.0);
+                    let of_surfaces = self.show.legend.as_ref().is_some_and(|legend| legend.is_of_surfaces());
+                    self.studio.survey(of_surfaces);
                     self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
                 }
@@ -292,8 +303,8 @@ impl Desk {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
                 }
                 Event::Measured { readings, by_layer } => {
-                    self.by_layer = by_layer;
-                    self.told = self.layout.told(&readings);
+                    (self.readings, self.by_layer) = (readings, by_layer);
+                    self.read_meters();
                     self.tell_readings();
                 }
                 Event::Changed(opened) => {
@@ -490,12 +501,12 @@ impl Desk {
             }
             Do::Solo { lamps } => {
                 self.solo = lamps.into_iter().collect();
-                self.screen.mix(self.colors(), 0.0);
+                self.remix(0.0);
                 self.tell_patch(json!({"solo": self.solo}));
                 Ok(false)
             }
-            Do::Display { patch } => self.display_as(&patch).map(|()| false),
-            Do::Reach => self.reach(seq),
+            Do::Display { patch } => self.display_as(seq, &patch),
+            Do::Reach { most } => self.reach(seq, most),
             Do::Expose => {
                 self.show.ev = None;
                 self.screen.show(self.show.clone());
@@ -529,7 +540,8 @@ impl Desk {
         }
     }
 
-    fn display_as(&mut self, patch: &Value) -> Result<(), String> {
+    /// Returns whether it asks for rays.
+    fn display_as(&mut self, seq: u32, patch: &Value) -> Result<bool, String> {
         let mut show = self.show.clone();
         if let Some(ev) = patch.get("ev") {
             let ev =
@@ -545,16 +557,28 @@ impl Desk {
         }
         if let Some(legend) = patch.get("false_color") {
             show.legend = Legend::read(legend)?.map(Arc::new);
-            let received = |legend: &Arc<Legend>| legend.quantity == Quantity::Illuminance;
-            self.studio.survey(show.legend.as_ref().is_some_and(received));
+            let against = show.legend.as_ref().and_then(|legend| legend.against());
+            if against.is_some_and(|look| self.as_in(look).is_none()) {
+                return Err("there is no such look".into());
+            }
+            self.studio.survey(show.legend.as_ref().is_some_and(|legend| legend.is_of_surfaces()));
         }
         if patch.get("ev").is_some() {
             self.metered = false;
         }
+        let against = |show: &Show| show.legend.as_ref().and_then(|legend| legend.against());
+        let compares = against(&show) != against(&self.show);
         self.show = show.clone();
         self.screen.show(show);
+        let mut traced = false;
+        if compares {
+            traced = self.sort_to_compare(seq)?;
+            self.remix(0.0);
+            self.read_meters();
+            self.tell_readings();
+        }
         self.tell_patch(json!({"display": self.display()}));
-        Ok(())
+        Ok(traced)
     }
 
     fn links(&mut self, client: u64, what: &str, role: Option<Role>, id: Option<u32>) -> Result<(), String> {

@@ -22,6 +22,8 @@ pub(crate) enum Quantity {
     Illuminance,
     /// What comes to the eye [cd/m²].
     Luminance,
+    /// What surfaces receive more than in a look, or less [lx].
+    Difference,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,6 +40,9 @@ struct Asked {
     steps: Option<u8>,
     #[serde(default)]
     target: Option<f32>,
+    /// The look that is compared with.
+    #[serde(default)]
+    against: Option<u32>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,8 +53,12 @@ enum AskedScale {
 }
 
 /// Palettes by name.
-const PALETTES: [(&str, Palette); 3] =
-    [("even", Palette::Even), ("rainbow", Palette::Rainbow), ("grey", Palette::Grey)];
+const PALETTES: [(&str, Palette); 4] = [
+    ("even", Palette::Even),
+    ("rainbow", Palette::Rainbow),
+    ("grey", Palette::Grey),
+    ("diverging", Palette::Diverging),
+];
 
 /// Colours of the legend that pages draw, and lines that there are about.
 const SHOWN: usize = 33;
@@ -62,6 +71,13 @@ impl Legend {
             return Ok(None);
         }
         let mut asked = Asked::deserialize(value).map_err(|e| e.to_string())?;
+        if (asked.quantity == Quantity::Difference) != asked.against.is_some() {
+            return Err("a difference is one to a look, and nothing else is".into());
+        }
+        let about_zero = asked.scale == AskedScale::Linear && asked.low == -asked.high;
+        if asked.against.is_some() && !about_zero {
+            return Err("the legend of a difference is linear, and runs from -n to n".into());
+        }
         let known = PALETTES.iter().find(|(name, _)| *name == asked.palette).unwrap_or(&PALETTES[0]);
         asked.palette = known.0.into();
         let scale = match asked.scale {
@@ -80,10 +96,20 @@ impl Legend {
         if asked.lines {
             let target = asked.target;
             let ticks = colors.ticks(LINES).into_iter().map(|tick| tick.value as f32);
-            colors.lines = ticks.filter(|tick| Some(*tick) != target).map(|tick| (tick, false)).collect();
+            colors.lines = ticks.filter(|tick| Some(*tick) != target && (*tick != 0.0 || asked.against.is_none())).map(|tick| (tick, false)).collect();
             colors.lines.extend(target.map(|target| (target, true)));
         }
         Ok(Some(Legend { quantity: asked.quantity, colors, asked }))
+    }
+
+    /// The look that is compared with.
+    pub(crate) fn against(&self) -> Option<u32> {
+        self.asked.against
+    }
+
+    /// Whether it must be known what surfaces reflect.
+    pub(crate) fn is_of_surfaces(&self) -> bool {
+        self.quantity != Quantity::Luminance
     }
 
     /// What pages are told.
@@ -100,13 +126,24 @@ impl Legend {
         told
     }
 
-    /// A picture in its colours. Where nothing can be said of what surfaces receive, it is hatched.
-    pub(crate) fn paint(&self, radiance: &[Rgb], albedos: Option<&[Rgb]>, size: [u32; 2]) -> Option<Painted> {
+    /// A picture in its colours. Where nothing can be said of what surfaces receive, it is hatched; `against` is the picture
+    /// that it is compared with.
+    pub(crate) fn paint(
+        &self,
+        radiance: &[Rgb],
+        against: Option<&[Rgb]>,
+        albedos: Option<&[Rgb]>,
+        size: [u32; 2],
+    ) -> Option<Painted> {
+        let lux = |(c, albedo): (&Rgb, &Rgb)| illuminance(*c, *albedo).unwrap_or(f32::NAN);
         let values: Vec<f32> = match self.quantity {
             Quantity::Luminance => radiance.iter().map(|c| c.luminance()).collect(),
             Quantity::Illuminance => {
-                let lux = |(c, albedo): (&Rgb, &Rgb)| illuminance(*c, *albedo).unwrap_or(f32::NAN);
                 radiance.iter().zip(albedos?).map(lux).collect()
+            }
+            Quantity::Difference => {
+                let pixels = radiance.iter().zip(against?).zip(albedos?);
+                pixels.map(|((now, then), albedo)| lux((now, albedo)) - lux((then, albedo))).collect()
             }
         };
         self.colors.paint(&values, size).ok()
@@ -140,10 +177,44 @@ mod tests {
         let asked = json!({"quantity": "illuminance", "low": 1, "high": 100, "scale": "log"});
         let legend = Legend::read(&asked).unwrap().unwrap();
         let radiance = vec![Rgb::grey(3.0); 256];
-        let matt = legend.paint(&radiance, Some(&[Rgb::grey(0.5); 256]), [16, 16]).unwrap();
+        let matt = legend.paint(&radiance, None, Some(&[Rgb::grey(0.5); 256]), [16, 16]).unwrap();
         assert!(matt.pixels.iter().all(|p| *p == matt.pixels[0]));
-        let none = legend.paint(&radiance, Some(&[Rgb::BLACK; 256]), [16, 16]).unwrap();
+        let none = legend.paint(&radiance, None, Some(&[Rgb::BLACK; 256]), [16, 16]).unwrap();
         assert!(none.pixels.iter().all(|p| *p != matt.pixels[0]));
-        assert!(legend.paint(&radiance, None, [16, 16]).is_none());
+        assert!(legend.paint(&radiance, None, None, [16, 16]).is_none());
+    }
+
+    /// Each pixel has the colour of what its surface receives more than in the other picture, whatever it reflects.
+    #[test]
+    fn differences_have_signs() {
+        let asked = json!({"quantity": "difference", "against": 3, "low": -100, "high": 100, "scale": "linear",
+                           "palette": "diverging", "lines": true});
+        let legend = Legend::read(&asked).unwrap().unwrap();
+        assert_eq!((legend.against(), legend.told()["against"].as_u64()), (Some(3), Some(3)));
+        assert!(legend.colors.lines.iter().all(|(value, _)| *value != 0.0) && !legend.colors.lines.is_empty());
+        let count = 201;
+        let albedos: Vec<Rgb> = (0..count).map(|k| Rgb::grey(0.1 + 0.004 * k as f32)).collect();
+        let lit = |lux: f32, albedo: Rgb| albedo * (lux / std::f32::consts::PI);
+        let changes: Vec<f32> = (0..count).map(|k| k as f32 - 100.0).collect();
+        let then: Vec<Rgb> = albedos.iter().map(|albedo| lit(150.0, *albedo)).collect();
+        let now: Vec<Rgb> = albedos.iter().zip(&changes).map(|(a, change)| lit(150.0 + change, *a)).collect();
+        let plain = Legend { colors: FalseColor { lines: Vec::new(), ..legend.colors.clone() }, ..legend };
+        let painted = plain.paint(&now, Some(&then), Some(&albedos), [count, 1]).unwrap();
+        for (pixel, change) in painted.pixels.iter().zip(&changes) {
+            let wanted = (0.5 + 0.5 * change / 100.0) * 247.0;
+            assert!((f32::from(*pixel) - wanted).abs() < 0.51, "{change}: {pixel}");
+        }
+        assert!(plain.paint(&now, None, Some(&albedos), [count, 1]).is_none());
+        for (field, value) in [
+            ("against", Value::Null),
+            ("quantity", "illuminance".into()),
+            ("scale", "log".into()),
+            ("low", 1.into()),
+            ("low", (-50).into()),
+        ] {
+            let mut bad = asked.clone();
+            bad[field] = value;
+            assert!(Legend::read(&bad).is_err(), "{field}");
+        }
     }
 }

@@ -20,6 +20,9 @@ pub(crate) struct Layout {
 /// Points of all meters and grids together.
 const POINTS: usize = 4 * MOST as usize;
 
+/// Most that targets are raised by for the ± of what is read, as a share: a reading that has just begun says little.
+const UNSURE: f64 = 0.1;
+
 #[derive(Deserialize)]
 struct Laid {
     #[serde(default)]
@@ -75,15 +78,26 @@ impl Layout {
         note(self, start..self.points.len());
     }
 
-    /// Of each meter or area that has a target, what each layer gives it, of what each gives each point, and the target [lx].
-    pub(crate) fn wanted(&self, notes: &Notes, by_layer: &[Vec<f32>]) -> (Vec<Vec<f64>>, Vec<f64>) {
+    /// Of each meter or area that has a target, what each layer gives it, of what each gives each point, and what it is to
+    /// read [lx]: so much that the target is met at the lower end of what its reading, ± and all, may be.
+    pub(crate) fn wanted(
+        &self,
+        notes: &Notes,
+        by_layer: &[Vec<f64>],
+        readings: &[Estimate],
+    ) -> (Vec<Vec<f64>>, Vec<f64>) {
         let mean = |points: &Range<usize>, factor: f64| -> Option<Vec<f64>> {
-            let of = |layer: &Vec<f32>| {
+            let of = |layer: &Vec<f64>| {
                 let points = layer.get(points.clone())?;
-                let sum: f64 = points.iter().map(|lux| f64::from(*lux)).sum();
-                Some(sum / points.len() as f64 * factor)
+                Some(points.iter().sum::<f64>() / points.len() as f64 * factor)
             };
             by_layer.iter().map(of).collect()
+        };
+        // ± is a share of what is read, whatever the levels.
+        let least = |points: &Range<usize>| {
+            let reading = readings.get(points.clone()).map(Kind::reading);
+            let off = reading.and_then(|own| Some(own.error? / own.value)).filter(|off| *off > 0.0);
+            1.0 - off.unwrap_or(0.0).min(UNSURE)
         };
         let lux = |target: &Value| {
             target.as_f64().or(target["lux"].as_f64()).filter(|lux| *lux > 0.0 && *lux < 1e9)
@@ -91,7 +105,7 @@ impl Layout {
         let meters = self.meters.iter().map(|(id, points)| (notes.meters.get(id), points, 1.0));
         let grids = self.grids.iter().map(|(id, points, factor)| (notes.grids.get(id), points, *factor));
         let wanted = |(note, points, factor): (Option<&Value>, &Range<usize>, f64)| {
-            Some((mean(points, factor)?, lux(&note?["target"])?))
+            Some((mean(points, factor)?, lux(&note?["target"])? / least(points)))
         };
         meters.chain(grids).filter_map(wanted).filter(|(row, _)| !row.is_empty()).unzip()
     }

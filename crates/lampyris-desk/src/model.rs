@@ -118,8 +118,13 @@ pub(crate) struct Touched {
 const BRIGHTEST: f32 = 1e4;
 const FAR: f32 = 1e5;
 
-/// Bytes of a note, and how many there may be of a kind.
+/// Bytes of a note.
 const NOTE: usize = 16 << 10;
+
+/// Bytes that a look may have besides for each lamp and group.
+const FADER: usize = 256;
+
+/// How many notes there may be of a kind.
 const NOTES: u32 = 1000;
 
 impl Touched {
@@ -169,6 +174,16 @@ impl Model {
         for (id, material) in &mut new.materials {
             inverse.materials.insert(*id, material.apply(&patch.materials[id])?);
         }
+        let faders = NOTE + FADER * (self.lamps.len() + self.groups.len());
+        let rooms = [(&patch.views, NOTE), (&patch.looks, faders), (&patch.meters, NOTE), (&patch.grids, NOTE)];
+        for (notes, room) in rooms {
+            for (id, note) in notes {
+                let long = note.as_ref().is_some_and(|note| note.to_string().len() > room);
+                if *id >= NOTES || long {
+                    return Err(format!("there is room for {NOTES} of {room} bytes"));
+                }
+            }
+        }
         let Notes { views, looks, meters, grids } = &mut self.notes;
         let notes = [
             (views, &patch.views, &mut inverse.views),
@@ -176,14 +191,6 @@ impl Model {
             (meters, &patch.meters, &mut inverse.meters),
             (grids, &patch.grids, &mut inverse.grids),
         ];
-        for (_, patch, _) in &notes {
-            for (id, note) in *patch {
-                let long = note.as_ref().is_some_and(|note| note.to_string().len() > NOTE);
-                if *id >= NOTES || long {
-                    return Err(format!("there is room for {NOTES} of {NOTE} bytes"));
-                }
-            }
-        }
         // From here on nothing can be refused.
         for (own, patch, inverse) in notes {
             for (id, note) in patch {

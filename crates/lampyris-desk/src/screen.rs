@@ -53,6 +53,8 @@ struct Wanted {
     /// Level and colour of each layer, and those from which they are faded to.
     colors: Vec<Rgb>,
     fade: Option<Fade>,
+    /// Those of what is compared with, if something is.
+    against: Option<Vec<Rgb>>,
     /// When levels changed last: as long as a hand moves them, frames are made quickly rather than well.
     handled: Option<Instant>,
     show: Show,
@@ -128,14 +130,14 @@ impl Screen {
         self.change(|wanted| wanted.show = show);
     }
 
-    /// The layers have other levels and colours, faded to in so many seconds.
-    pub(crate) fn mix(&self, colors: Vec<Rgb>, seconds: f32) {
+    /// The layers have other levels and colours, faded to in so many seconds, and are compared with others.
+    pub(crate) fn mix(&self, colors: Vec<Rgb>, against: Option<Vec<Rgb>>, seconds: f32) {
         self.change(|wanted| {
             let (from, _) = wanted.mix();
             let lasts = Duration::from_secs_f32(seconds.clamp(0.0, 3600.0));
             wanted.handled = Some(Instant::now());
             wanted.fade = (seconds > 0.0).then(|| Fade { from, began: Instant::now(), lasts });
-            wanted.colors = colors;
+            (wanted.colors, wanted.against) = (colors, against);
         });
     }
 
@@ -187,6 +189,7 @@ impl Screen {
             let (colors, fading) = wanted.mix();
             wanted.changed = fading;
             let (light, mut show) = (wanted.light.clone(), wanted.show.clone());
+            let against = wanted.against.clone();
             let (Some(kind), Some(look), Some(still)) = (light.kind, light.look.clone(), light.still.clone())
             else {
                 wanted.changed = false;
@@ -211,7 +214,8 @@ impl Screen {
                 metered(ev);
             }
             let painted = show.legend.as_ref().and_then(|legend| {
-                legend.paint(&radiance, light.albedos.as_ref().map(|own| own.as_slice()), light.size)
+                let against = legend.against().and(against).map(|colors| still.mix(&colors));
+                legend.paint(&radiance, against.as_deref(), light.albedos.as_ref().map(|own| own.as_slice()), light.size)
             });
             let false_color = painted.is_some();
             let picture = match painted {

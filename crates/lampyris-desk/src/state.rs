@@ -174,6 +174,7 @@ pub(crate) fn found(model: &Model, id: u32, found: Option<Found>) -> Value {
     json!({
         "is": "answer", "id": id, "hit": true, "point": found.point, "normal": found.normal, "thing": found.instance,
         "material": found.material, "lamp": lamp, "lux": found.lux.map(told), "luminance": found.luminance.map(told),
+        "change": found.change,
     })
 }
 

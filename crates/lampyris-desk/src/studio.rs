@@ -392,7 +392,7 @@ impl Stage {
         }
         for Asked { client, id, what } in work.questions {
             let found = match what {
-                What::Pixel(frame, at) => self.behind(&frame, at),
+                What::Pixel(frame, at, compared) => self.behind(&frame, at, compared.as_ref()),
                 What::Ray(ray) => self.met(&ray),
                 What::Light(meter) => {
                     // Who asks again wants to know no more of what was asked before.
@@ -494,7 +494,7 @@ impl Stage {
     }
 
     /// What lies behind a pixel of a frame that was shown.
-    fn behind(&mut self, frame: &Frame, at: [f32; 2]) -> Option<Found> {
+    fn behind(&mut self, frame: &Frame, at: [f32; 2], compared: Option<&[Vec<Rgb>; 2]>) -> Option<Found> {
         let [width, height] = frame.size;
         let view = View::new(&frame.look.camera(), width, height).cut(frame.look.near);
         let mut ray = view.ray(at[0], at[1]);
@@ -511,6 +511,8 @@ impl Stage {
         if sums.batches() == 0 {
             return Some(found);
         }
+        let mixed = |colors: &Vec<Rgb>| illuminance(sums.at_in(pixel, colors)?, found.albedo?);
+        found.change = compared.and_then(|[now, then]| Some(f64::from(mixed(now)? - mixed(then)?)));
         let luminance = f64::from(radiance.luminance());
         let error = Some(f64::from(factor)).filter(|error| error.is_finite());
         found.luminance = Some(Estimate { value: luminance, error });
@@ -534,6 +536,7 @@ impl Stage {
                 .then(|| surface.albedo(Class::Dull) + surface.albedo(Class::Sharp)),
             lux: None,
             luminance: None,
+            change: None,
         })
     }
 }
@@ -548,8 +551,8 @@ fn read(frame: &Sums) -> Vec<Estimate> {
     frame.mean().iter().enumerate().map(reading).collect()
 }
 
-/// What each layer gives each of them [lx].
-fn layers(frame: &Sums) -> Vec<Vec<f32>> {
-    let lux = |plane: Vec<Rgb>| plane.iter().map(|mean| mean.luminance() * PI).collect();
-    (0..frame.layers()).filter_map(|layer| frame.layer(layer)).map(lux).collect()
+/// What each layer, in white, gives each of them, as the radiance of what is matt and white [cd/m²].
+fn layers(frame: &Sums) -> Vec<Vec<Rgb>> {
+    let still = frame.still();
+    (0..still.layers()).filter_map(|layer| still.layer(layer)).collect()
 }

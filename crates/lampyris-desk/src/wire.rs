@@ -48,7 +48,7 @@ pub(crate) enum Do {
     Solo { lamps: Vec<u32> },
     Display { patch: Box<Value> },
     Expose,
-    Reach,
+    Reach { most: f32 },
     Look { id: Option<u32>, name: Option<String>, what: String, seconds: f32 },
     Save { name: Option<String> },
     Edit { take: bool },
@@ -162,7 +162,13 @@ impl Do {
             "solo" => Do::Solo { lamps: fields.remove("lamps").map_or(Ok(Vec::new()), of)? },
             "display" => Do::Display { patch: field(&mut fields, "patch")? },
             "expose" => Do::Expose,
-            "reach" => Do::Reach,
+            "reach" => {
+                let most = fields.remove("most").map_or(Ok(1.0), of)?;
+                if !(1.0..=10.0).contains(&most) {
+                    return Err("levels may be set up to 1 to 10 times the lamps' flux".into());
+                }
+                Do::Reach { most }
+            }
             "look" => {
                 let ALook { id, name: called, what, seconds } = all(fields)?;
                 let seconds = if seconds.is_finite() { seconds.clamp(0.0, 3600.0) } else { 0.0 };

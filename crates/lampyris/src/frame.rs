@@ -197,10 +197,17 @@ impl Frame {
 
     /// One pixel of [`Frame::mean`], to rounding; `None` outside of the picture.
     pub fn at(&self, pixel: usize) -> Option<Rgb> {
+        self.at_in(pixel, &[])
+    }
+
+    /// The same if the layers had these colours, their own where colours are missing.
+    pub fn at_in(&self, pixel: usize, colors: &[Rgb]) -> Option<Rgb> {
         let inside = pixel < self.width as usize * self.height as usize;
-        let of =
-            |layer: &Layer| layer.mean(1.0).fold(Rgb::BLACK, |sum, term| sum + term.at(pixel)) * layer.color;
-        inside.then(|| self.layers.iter().fold(Rgb::BLACK, |sum, layer| sum + of(layer)))
+        let of = |(number, layer): (usize, &Layer)| {
+            let color = colors.get(number).copied().unwrap_or(layer.color);
+            layer.mean(1.0).fold(Rgb::BLACK, |sum, term| sum + term.at(pixel)) * color
+        };
+        inside.then(|| self.layers.iter().enumerate().fold(Rgb::BLACK, |sum, layer| sum + of(layer)))
     }
 
     /// The picture to show: of each layer the mean of the filtered batches, if they were, as long as the error of the mean

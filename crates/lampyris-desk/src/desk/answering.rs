@@ -18,7 +18,8 @@ impl Desk {
                 if !inside(x, frame.size[0]) || !inside(y, frame.size[1]) {
                     return Err("this lies outside of the frame".into());
                 }
-                What::Pixel(frame, [x, y])
+                let compared = self.against().map(|(then, _)| [self.colors(), then]);
+                What::Pixel(frame, [x, y], compared)
             }
             Question::Ray { origin, direction } => {
                 let direction = direction.try_normalize().filter(|_| origin.is_finite());

@@ -4,7 +4,6 @@ use super::{Desk, SOON};
 use crate::adding;
 use crate::edits::{edits, lit_at};
 use crate::history::Gesture;
-use crate::mixer::mix;
 use crate::model::{Body, Group, Lamp, Touched};
 use crate::patch::{GroupPatch, LampPatch, Mode, Patch, Place};
 use crate::state;
@@ -130,12 +129,12 @@ impl Desk {
         patch: &Patch,
         seconds: f32,
     ) -> Result<(Patch, bool), String> {
-        let Some(scene) = &mut self.scene else { return Err("the scene is not there yet".into()) };
+        let Some(before) = self.scene.clone() else { return Err("the scene is not there yet".into()) };
         let inverse = self.model.apply(patch)?;
         let mut touched = Touched::of(patch);
-        let before = scene.clone();
-        let done = edits(&self.model, scene, &touched).and_then(|mut traced| {
-            let mixed = mix(&self.model, scene)?;
+        let traced = self.scene.as_mut().map_or(Ok(Vec::new()), |scene| edits(&self.model, scene, &touched));
+        let done = traced.and_then(|mut traced| {
+            let mixed = self.sorted()?;
             let sorted = mixed.iter().any(|edit| !matches!(edit, Edit::Mix { .. }));
             let traces = !traced.is_empty() || sorted;
             traced.extend(mixed);
@@ -146,8 +145,11 @@ impl Desk {
                 touched.spread(&self.model, &inverse, sorted);
                 self.studio.edit(edits, seq);
                 self.save_in(SOON);
-                self.screen.mix(self.colors(), seconds);
-                self.unseen |= !touched.looks.is_empty();
+                if !touched.looks.is_empty() {
+                    self.unseen = true;
+                    self.end_comparison_with_nothing();
+                }
+                self.remix(seconds);
                 if !touched.meters.is_empty() || !touched.grids.is_empty() {
                     self.lay_out();
                 }
@@ -157,7 +159,7 @@ impl Desk {
                 Ok((inverse, traced))
             }
             Err(why) => {
-                *scene = before;
+                self.scene = Some(before);
                 self.model.apply(&inverse)?;
                 Err(why)
             }

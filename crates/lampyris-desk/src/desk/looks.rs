@@ -74,8 +74,8 @@ impl Desk {
         Some(model)
     }
 
-    /// Level and colour of each layer as a look has them.
-    pub(super) fn colors_in(&self, look: u32) -> Option<Vec<Rgb>> {
+    /// Level and colour of each layer as a look has them, and whether layers can show it as it is.
+    pub(super) fn colors_in(&self, look: u32) -> Option<(Vec<Rgb>, bool)> {
         Some(mixer::colors(&self.as_in(look)?, self.scene.as_ref()?))
     }
 
@@ -93,7 +93,7 @@ impl Desk {
             return;
         };
         let size = album::small(still.size());
-        let made = self.colors_in(id).and_then(|colors| {
+        let made = self.colors_in(id).and_then(|(colors, _)| {
             let radiance = still.small(&colors, size);
             screen::encode(radiance, size, &self.show, Kind::Settled)
         });

@@ -2,24 +2,29 @@
 
 use super::Desk;
 use crate::patch::{LampPatch, Patch};
+use lampyris::Rgb;
 use lampyris::measuring::Fit;
 use std::collections::BTreeMap;
+use std::f32::consts::PI;
 
 /// How strongly levels stay as they are where meters do not care.
 const PULL: f64 = 1e-3;
 
-/// The highest level that is set [of the lamp's flux].
-const FULL: f32 = 1.0;
-
 impl Desk {
-    /// Levels by which the meters that have a target come nearest to it.
-    pub(super) fn reach(&mut self, seq: u32) -> Result<bool, String> {
-        let (rows, targets) = self.layout.wanted(&self.model.notes, &self.by_layer);
+    /// Levels up to `full` of each lamp's flux by which the meters that have a target come nearest to it; one that is higher
+    /// already may stay.
+    pub(super) fn reach(&mut self, seq: u32, full: f32) -> Result<bool, String> {
+        let given = self.by_layer.iter().zip(self.colors_of_scene());
+        let lux = |(layer, color): (&Vec<Rgb>, Rgb)| {
+            layer.iter().map(|white| f64::from((*white * color).luminance() * PI)).collect()
+        };
+        let by_layer: Vec<Vec<f64>> = given.map(lux).collect();
+        let (rows, targets) = self.layout.wanted(&self.model.notes, &by_layer, &self.readings);
         if targets.is_empty() {
             return Err("no meter and no area has a target, or they are not measured yet".into());
         }
         let scene = self.scene.as_ref().ok_or("the scene is not there yet")?;
-        let layers = self.by_layer.len();
+        let layers = by_layer.len();
         let mut lamps: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
         for (id, lamp) in (0..).zip(&self.model.lamps).filter(|(_, lamp)| !lamp.gone && lamp.on) {
             let share = lamp.emitters.first().and_then(|(k, _)| scene.reference.shares.get(*k as usize));
@@ -34,7 +39,7 @@ impl Desk {
         // In units of what each layer gives now; lamps that are dark stay so, since nothing is known of them.
         let most = |layer: usize| match level(layer) {
             0.0 => 1.0,
-            level => f64::from((FULL / level).max(1.0)),
+            level => f64::from((full / level).max(1.0)),
         };
         let fit = Fit {
             rows,

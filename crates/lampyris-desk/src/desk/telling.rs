@@ -59,7 +59,14 @@ impl Desk {
 
     pub(super) fn display(&self) -> Value {
         let tone = self.show.tone.name();
-        json!({"ev": self.show.ev, "metered": self.metered, "tone": tone, "white": self.white, "false_color": self.show.legend.as_ref().map(|legend| legend.told())})
+        let legend = self.show.legend.as_ref().map(|legend| {
+            let mut told = legend.told();
+            if legend.against().is_some() {
+                told["exact"] = self.exact.into();
+            }
+            told
+        });
+        json!({"ev": self.show.ev, "metered": self.metered, "tone": tone, "white": self.white, "false_color": legend})
     }
 
     pub(super) fn status(&self) -> Value {
@@ -128,8 +135,17 @@ impl Desk {
 
     /// Level and colour of each layer as it is shown.
     pub(super) fn colors(&self) -> Vec<Rgb> {
+        self.soloed(self.colors_of_scene())
+    }
+
+    /// The same where none is shown alone.
+    pub(super) fn colors_of_scene(&self) -> Vec<Rgb> {
+        self.scene.iter().flat_map(|scene| &scene.groups).map(|group| group.color).collect()
+    }
+
+    /// Colours of the layers as far as these are shown.
+    pub(super) fn soloed(&self, mut colors: Vec<Rgb>) -> Vec<Rgb> {
         let Some(scene) = &self.scene else { return Vec::new() };
-        let mut colors: Vec<Rgb> = scene.groups.iter().map(|group| group.color).collect();
         if !self.solo.is_empty() {
             let lamps = self.solo.iter().filter_map(|id| self.model.lamps.get(*id as usize));
             let emitters = lamps.flat_map(|lamp| &lamp.emitters);

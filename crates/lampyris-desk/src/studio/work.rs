@@ -43,8 +43,9 @@ pub(crate) struct Asked {
 
 /// What is asked.
 pub(crate) enum What {
-    /// What lies behind a pixel of a frame that was shown.
-    Pixel(Frame, [f32; 2]),
+    /// What lies behind a pixel of a frame that was shown, and the colours of the layers now and in a look, where these are
+    /// compared.
+    Pixel(Frame, [f32; 2], Option<[Vec<Rgb>; 2]>),
     /// What a ray meets first.
     Ray(Ray),
     /// What lights a point.
@@ -62,6 +63,8 @@ pub(crate) struct Found {
     pub(crate) albedo: Option<Rgb>,
     pub(crate) lux: Option<Estimate>,
     pub(crate) luminance: Option<Estimate>,
+    /// How much more it receives than in the look that is compared with [lx].
+    pub(crate) change: Option<f64>,
 }
 
 /// The way to the thread.

@@ -16,11 +16,14 @@ pub enum Palette {
     Rainbow,
     /// From black to white by even lightness.
     Grey,
+    /// For values of both signs: from blue by light grey to orange, straight through CIELAB, so that what is as far from the
+    /// middle is as dark. Blue and yellow tell the signs apart, which nearly everybody does who takes red for green.
+    Diverging,
 }
 
 impl Palette {
     /// Every palette.
-    pub const ALL: [Palette; 3] = [Palette::Even, Palette::Rainbow, Palette::Grey];
+    pub const ALL: [Palette; 4] = [Palette::Even, Palette::Rainbow, Palette::Grey, Palette::Diverging];
 
     /// The colour at a place from 0 to 1, sRGB.
     pub fn color(self, place: f32) -> [u8; 3] {
@@ -29,6 +32,7 @@ impl Palette {
             Palette::Even => from_lab(parabola(even(place))),
             Palette::Rainbow => return rainbow(place),
             Palette::Grey => from_lab([100.0 * place, 0.0, 0.0]),
+            Palette::Diverging => from_lab(diverging(place)),
         };
         linear.map(|c| srgb(c as f32))
     }
@@ -42,6 +46,17 @@ const LIGHT: [f64; 3] = [93.0, -14.0, 70.0];
 fn parabola(t: f64) -> [f64; 3] {
     let s = 1.0 - t;
     std::array::from_fn(|k| s * s * DARK[k] + 2.0 * s * t * BENT[k] + t * t * LIGHT[k])
+}
+
+/// L*, a*, b* of values far below the middle, at it, and far above it.
+const BELOW: [f64; 3] = [38.0, 22.0, -58.0];
+const MIDDLE: [f64; 3] = [94.0, 0.0, 0.0];
+const ABOVE: [f64; 3] = [38.0, 42.0, 46.0];
+
+fn diverging(place: f64) -> [f64; 3] {
+    let off = 2.0 * place - 1.0;
+    let end = if off < 0.0 { BELOW } else { ABOVE };
+    std::array::from_fn(|k| MIDDLE[k] + (end[k] - MIDDLE[k]) * off.abs())
 }
 
 /// How far along the parabola a share of its length has been walked.
@@ -134,6 +149,25 @@ mod tests {
                 color.iter().all(|c| (0.0..=1.0).contains(c)),
                 "{k}: {color:?}: out of what displays show"
             );
+        }
+    }
+
+    /// What is as far from the middle is as dark, the further the darker, blue below and yellow above.
+    #[test]
+    fn signs_are_told_apart() {
+        let steps = 40;
+        let at = |k: i32| seen(Palette::Diverging.color(0.5 + 0.5 * k as f32 / steps as f32));
+        let [light, a, b] = at(0);
+        assert!((light - 94.0).abs() < 0.5 && a.abs() < 0.5 && b.abs() < 0.5);
+        for k in 1..=steps {
+            let ([below, _, blue], [above, _, yellow]) = (at(-k), at(k));
+            let lightness = 94.0 - 56.0 * f64::from(k) / f64::from(steps);
+            assert!((below - lightness).abs() < 0.6 && (above - lightness).abs() < 0.6, "{k}: {below} {above}");
+            assert!(blue < at(1 - k)[2] && yellow > at(k - 1)[2], "{k}");
+        }
+        for k in 0..=1000 {
+            let color = from_lab(diverging(f64::from(k) / 1000.0));
+            assert!(color.iter().all(|c| (0.0..=1.0).contains(c)), "{k}: {color:?}: out of what displays show");
         }
     }
 
