@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
-function Ze(e) {
+var E, Jr, Co, Fe, So, Pn, Zr, En, ei, Eo, Mo, us, zt = /* @__PURE__ */ Symbol.for("pv"), $n = {}, Ln = [], cs = /^m(i|n|o|s|text|space)$/, To = Array.isArray, Po = Ln.slice, tt = Object.assign;
+function et(e) {
   e && e.parentNode && e.remove();
 }
-function Zr(e, t, n) {
+function ti(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
+  return s > 2 && (a.children = s > 3 ? Po.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Yr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Jr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -23,33 +23,33 @@ function Ne(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function us(e) {
+function fs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
+  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), $o(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, si(r, t, i), n.__ = n.__e = null, t.__e != o && ni(t));
 }
-function ei(e) {
+function ni(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), ei(e);
+  }), ni(e);
 }
-function Gr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ti);
+function Yr(e) {
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), Pn++)) && So == E.debounceRendering || ((So = E.debounceRendering) || queueMicrotask)(oi);
 }
-function ti() {
+function oi() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Zr), e = Fe.shift(), t = Fe.length, 8 & e.__g && fs(e);
   } finally {
-    (Tn = Fe.length) && (xo || queueMicrotask)(ti);
+    (Pn = Fe.length) && (So || queueMicrotask)(oi);
   }
 }
-function ni(e, t, n, o, r, i, a, s, p, c, u) {
-  var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+function ri(e, t, n, o, r, i, a, s, p, c, u) {
+  var d, m, f, b, y, w, x = o.__k || Ln, k = t.length;
+  for (p = ps(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || $n, f.__i = d, w = $o(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Lo(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ii(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function cs(e, t, n, o, r) {
+function ps(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = fs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : To(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ds(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -57,21 +57,21 @@ function cs(e, t, n, o, r) {
     }
     for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : k[i].__u |= 4);
   }
-  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Vo(s, s));
   return o;
 }
-function oi(e, t, n, o) {
+function ii(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = oi(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ii(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function fs(e, t, n, o) {
+function ds(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function fs(e, t, n, o) {
   }
   return -1;
 }
-function Xr(e, t, n) {
+function Qr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
-function Mn(e, t, n, o, r) {
+function Cn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Qr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Qr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Mo[t] || (Mo[t] = ms(t)), (e.__a || (e.__a = {}))[t] = Eo, i = t != (t = t.replace(ei, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,41 +101,41 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ps(e) {
+function ms(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[Cn] == null) t[Cn] = Co++;
-      else if (t[Cn] < this.__a[e]) return;
+      if (n = n[e], t[En] == null) t[En] = Eo++;
+      else if (t[En] < this.__a[e]) return;
       return n(E.event ? E.event(t) : t);
     }
   };
 }
-function Po(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k, _, C, Me, Je, fe, ve, h, v, $, L = t.type;
+function $o(e, t, n, o, r, i, a, s, p, c) {
+  var u, d, m, f, b, y, w, x, k, _, C, Me, Ze, fe, ve, h, v, $, L = t.type;
   if (t.constructor !== zt) return null;
-  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = En(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
+  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = Tn(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ms), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = vs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
-          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = Ne(n);
+          }), Ln.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = Ne(n);
           break e;
         }
         f.componentWillUpdate && f.componentWillUpdate(x, f.__s, C), k && f.componentDidUpdate && f.__h.push(function() {
           f.componentDidUpdate(b, y, w);
         });
       } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Je = k ? 25 : 0;
+      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Ze = k ? 25 : 0;
       do
         f.__g &= -9, Me && Me(t), u = f.render(f.props, f.state = f.__s, f.context);
-      while (8 & f.__g && ++Je < 25);
-      k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
-        V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ni(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      while (8 & f.__g && ++Ze < 25);
+      k && (Ln.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
+        V && Vo(V, V);
+      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ri(e, To(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (V) {
       if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
@@ -144,22 +144,22 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
             if ($ == h) break;
           } else {
             if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = En(ve = $));
+            $.data.startsWith("$s") && (h = Tn(ve = $));
           }
         }
         if (!ve) {
           for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
           ve = s;
         }
-        (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
-      } else i && i.some(Ze);
+        (u = Tn(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
+      } else i && i.some(et);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || ai(t), E.__e(V, t, n);
     }
-  } else s = t.__e = ds(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = hs(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
-function En(e, t) {
+function Tn(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
     if (e.nodeType == 8) {
       if (e.data.startsWith("$s")) n++;
@@ -168,11 +168,11 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function ri(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ri));
+function ai(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ai));
 }
-function ii(e, t, n) {
-  for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
+function si(e, t, n) {
+  for (var o = 0; o < n.length; ) Lo(n[o++], n[o++], n[o++]);
   E.__c && E.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
@@ -183,8 +183,8 @@ function ii(e, t, n) {
     }
   });
 }
-function ds(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
+function hs(e, t, n, o, r, i, a, s, p, c) {
+  var u, d, m, f, b, y, w, x, k = n.props || $n, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
       e = b, i[u] = null;
@@ -196,23 +196,23 @@ function ds(e, t, n, o, r, i, a, s, p, c) {
     e = x.createElementNS(r, C, _.is ? _ : c), s && (E.__m && E.__m(t, i), s = !1), i = null;
   }
   if (C) {
-    if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
-    for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
-    for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && Po.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
+    for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Cn(e, u, null, b, r);
+    for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Cn(e, u, b, k[u], r);
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && cs.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ri(c, To(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(et)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Cn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Cn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
-function $o(e, t, n, o) {
+function Lo(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
     E.__e(r, n);
   }
 }
-function Lo(e, t, n) {
+function Vo(e, t, n) {
   var o, r, i, a;
-  if (E.unmount && E.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || $o(o, null, t, e), o = e.__c) {
+  if (E.unmount && E.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Lo(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (s) {
@@ -220,15 +220,15 @@ function Lo(e, t, n) {
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Vo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = Tn(o, i = [])) && (o == e.__e && i.some(et), et(r), et(o)), n || et(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ms(e, t, n) {
+function vs(e, t, n) {
   return this.constructor(e, n);
 }
-function ai(e, t) {
+function li(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ii(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], $o(t, t.__k, o || $n, $n, t.namespaceURI, o ? null : t.firstChild ? Po.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), si(r, t.__k, i), t.__k.props.children = null;
 }
 E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -239,90 +239,90 @@ E = { __e: function(e, t, n, o) {
       e = s;
     }
   }
-  throw Tn = 0, e;
-} }, Yr = 0, Mo = function(e) {
+  throw Pn = 0, e;
+} }, Jr = 0, Co = function(e) {
   return e != null && e.constructor === zt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Gr(this)));
+  n && n != this.state || (n = this.__s = tt({}, this.state)), typeof e == "function" && (e = e(tt({}, n), this.props)), e && (tt(n, e), this.__v && (t && this.__k.push(t), Yr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Gr(this));
-}, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Yr(this));
+}, gt.prototype.render = X, Fe = [], Pn = 0, Zr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
+}, En = /* @__PURE__ */ Symbol(), ei = /(PointerCapture)$|Capture$/i, Eo = 0, Mo = {}, us = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, si, hs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
-function Oo(e, t) {
-  j.__h && j.__h(re, e, Io || t), Io = 0;
+var Xt, re, Io, ui, gs = Object.is, Ao = 0, bi = [], Ro = [], U = E, ci = U.__b, fi = U.__r, pi = U.diffed, di = U.__c, mi = U.unmount, hi = U.__;
+function Ho(e, t) {
+  U.__h && U.__h(re, e, Ao || t), Ao = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
 function Ce(e, t) {
-  var n = Oo(Xt++, 3);
-  !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
+  var n = Ho(Xt++, 3);
+  !U.__s && Ko(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function vs(e, t) {
-  var n = Oo(Xt++, 4);
-  !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+function bs(e, t) {
+  var n = Ho(Xt++, 4);
+  !U.__s && Ko(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
 function te(e) {
-  return Io = 5, Ln(function() {
+  return Ao = 5, Vn(function() {
     return { current: e };
   }, []);
 }
-function Ln(e, t) {
-  var n = Oo(Xt++, 7);
-  return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+function Vn(e, t) {
+  var n = Ho(Xt++, 7);
+  return Ko(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function gs() {
+function ys() {
   var e;
   do {
-    for (; e = Ao.shift(); ) try {
+    for (; e = Ro.shift(); ) try {
       Gt(e);
     } catch (n) {
-      j.__e(n, { __: (e = e.__P) && e.__v });
+      U.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = vi.shift(); ) {
+    for (; e = bi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
+        t.__h.some(Gt), t.__h.some(Oo), t.__h = [];
       } catch (n) {
-        t.__h = [], j.__e(n, e.__v);
+        t.__h = [], U.__e(n, e.__v);
       }
     }
-  } while (Ao.length);
+  } while (Ro.length);
 }
-j.__b = function(e) {
-  re = null, li && li(e);
-}, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), di && di(e, t);
-}, j.__r = function(e) {
-  ui && ui(e), Xt = 0;
+U.__b = function(e) {
+  re = null, ci && ci(e);
+}, U.__ = function(e, t) {
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), hi && hi(e, t);
+}, U.__r = function(e) {
+  fi && fi(e), Xt = 0;
   var t = (re = e.__c).__H;
-  t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
+  t && (Io == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Oo), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Vo = re;
-}, j.diffed = function(e) {
-  ci && ci(e);
+  })), Io = re;
+}, U.diffed = function(e) {
+  pi && pi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && hi(vi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && gi(bi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Vo = re = null;
-}, j.__c = function(e, t) {
+  })), Io = re = null;
+}, U.__c = function(e, t) {
   t.some(function(n) {
     try {
       n.__h.some(Gt), n.__h = n.__h.filter(function(o) {
-        return !o.__ || Ro(o);
+        return !o.__ || Oo(o);
       });
     } catch (o) {
       n.__h = [function() {
         throw o;
       }];
     }
-  }), fi && fi(e, t);
-}, j.unmount = function(e) {
-  pi && pi(e);
+  }), di && di(e, t);
+}, U.unmount = function(e) {
+  mi && mi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,56 +331,56 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, hi(Ao.push(r));
+        r.__P = n, gi(Ro.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
-  }), o.__H = void 0, t && j.__e(t, o.__v));
+  }), o.__H = void 0, t && U.__e(t, o.__v));
 };
-var mi = typeof requestAnimationFrame == "function";
-function bs(e) {
+var vi = typeof requestAnimationFrame == "function";
+function _s(e) {
   var t, n = function() {
-    clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), vi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  mi && (t = requestAnimationFrame(n));
+  vi && (t = requestAnimationFrame(n));
 }
-function hi(e) {
-  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || bs)(gs);
+function gi(e) {
+  e != 1 && ui == U.requestAnimationFrame || ((ui = U.requestAnimationFrame) || _s)(ys);
 }
 function Gt(e) {
   var t = re, n = e.__c;
   typeof n == "function" && (e.__c = void 0, n()), re = t;
 }
-function Ro(e) {
+function Oo(e) {
   var t = re;
   e.__c = e.__(), re = t;
 }
-function Ho(e, t) {
+function Ko(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !hs(n, e[o]);
+    return !gs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ys = /* @__PURE__ */ Symbol.for("preact-signals");
-function Rn() {
+var ws = /* @__PURE__ */ Symbol.for("preact-signals");
+function On() {
   if (Re > 1)
     Re--;
   else {
     var e, t = !1;
     for ((function() {
-      var r = In;
-      for (In = void 0; r !== void 0; ) {
+      var r = An;
+      for (An = void 0; r !== void 0; ) {
         var i = r.S;
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
     })(); Qt !== void 0; ) {
       var n = Qt;
-      for (Qt = void 0, Vn++; n !== void 0; ) {
+      for (Qt = void 0, In++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && bi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && _i(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -388,16 +388,16 @@ function Rn() {
         n = o;
       }
     }
-    if (Vn = 0, Re--, t) throw e;
+    if (In = 0, Re--, t) throw e;
   }
 }
-function On(e) {
+function Hn(e) {
   if (Re > 0) return e();
-  Ko = ++_s, Re++;
+  Do = ++ks, Re++;
   try {
     return e();
   } finally {
-    Rn();
+    On();
   }
 }
 var Yt, O = void 0;
@@ -410,8 +410,8 @@ function ie(e) {
     O = t, Yt = n;
   }
 }
-var Qt = void 0, Re = 0, Vn = 0, _s = 0, Ko = 0, In = void 0, An = 0;
-function gi(e) {
+var Qt = void 0, Re = 0, In = 0, ks = 0, Do = 0, An = void 0, Rn = 0;
+function yi(e) {
   if (O !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== O)
@@ -423,7 +423,7 @@ function gi(e) {
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ys;
+Y.prototype.brand = ws;
 Y.prototype.h = function() {
   return !0;
 };
@@ -469,29 +469,29 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = gi(this);
+  var e = yi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
-    if (Vn > 100) throw new Error("Cycle detected");
+    if (In > 100) throw new Error("Cycle detected");
     (function(n) {
-      Re !== 0 && Vn === 0 && n.l !== Ko && (n.l = Ko, In = { S: n, v: n.v, i: n.i, o: In });
-    })(this), this.v = e, this.i++, An++, Re++;
+      Re !== 0 && In === 0 && n.l !== Do && (n.l = Do, An = { S: n, v: n.v, i: n.i, o: An });
+    })(this), this.v = e, this.i++, Rn++, Re++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
-      Rn();
+      On();
     }
   }
 } });
 function g(e, t) {
   return new Y(e, t);
 }
-function bi(e) {
+function _i(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function yi(e) {
+function wi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,61 +500,61 @@ function yi(e) {
     }
   }
 }
-function _i(e) {
+function ki(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
   }
   e.s = n;
 }
-function tt(e, t) {
-  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = An - 1, this.f = 4;
+function nt(e, t) {
+  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = Rn - 1, this.f = 4;
 }
-tt.prototype = new Y();
-tt.prototype.h = function() {
+nt.prototype = new Y();
+nt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
-  if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !bi(this))
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === Rn)) return !0;
+  if (this.g = Rn, this.f |= 1, this.i > 0 && !_i(this))
     return this.f &= -2, !0;
   var e = O;
   try {
-    yi(this), O = this;
+    wi(this), O = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, _i(this), this.f &= -2, !0;
+  return O = e, ki(this), this.f &= -2, !0;
 };
-tt.prototype.S = function(e) {
+nt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
   Y.prototype.S.call(this, e);
 };
-tt.prototype.U = function(e) {
+nt.prototype.U = function(e) {
   if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
 };
-tt.prototype.N = function() {
+nt.prototype.N = function() {
   if (!(2 & this.f)) {
     this.f |= 6;
     for (var e = this.t; e !== void 0; e = e.x) e.t.N();
   }
 };
-Object.defineProperty(tt.prototype, "value", { get: function() {
+Object.defineProperty(nt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = gi(this);
+  var e = yi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
-  return new tt(e, t);
+  return new nt(e, t);
 }
-function wi(e) {
+function xi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Re++;
@@ -563,23 +563,23 @@ function wi(e) {
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, Do(e), o;
+      throw e.f &= -2, e.f |= 8, Fo(e), o;
     } finally {
-      O = n, Rn();
+      O = n, On();
     }
   }
 }
-function Do(e) {
+function Fo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, wi(e);
+  e.x = void 0, e.s = void 0, xi(e);
 }
-function ws(e) {
+function xs(e) {
   if (O !== this) throw new Error("Out-of-order effect");
-  _i(this), O = e, this.f &= -2;
+  ki(this), O = e, this.f &= -2;
   try {
-    8 & this.f && Do(this);
+    8 & this.f && Fo(this);
   } finally {
-    Rn();
+    On();
   }
 }
 function bt(e, t) {
@@ -597,15 +597,15 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, wi(this), yi(this), Re++;
+  this.f |= 1, this.f &= -9, xi(this), wi(this), Re++;
   var e = O;
-  return O = this, ws.bind(this, e);
+  return O = this, xs.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
 };
 bt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || Do(this);
+  this.f |= 8, 1 & this.f || Fo(this);
 };
 bt.prototype.dispose = function() {
   this.d();
@@ -622,25 +622,25 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
+var No, Zt, Kn, Ss = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Si = [], Mi = [];
 T(function() {
-  Fo = this.N;
+  No = this.N;
 })();
 function yt(e, t) {
   E[e] = t.bind(null, E[e] || function() {
   });
 }
 function Jt(e) {
-  if (Hn) {
-    var t = Hn;
-    Hn = void 0, t();
+  if (Kn) {
+    var t = Kn;
+    Kn = void 0, t();
   }
-  Hn = e && e.S();
+  Kn = e && e.S();
 }
-function Si(e) {
-  var t = this, n = e.data, o = nt(n);
+function Ci(e) {
+  var t = this, n = e.data, o = ot(n);
   o.name = "ReactiveDom", o.value = n;
-  var r = Ln(function() {
+  var r = Vn(function() {
     for (var s = t, p = t.__v; p = p.__; ) if (p.__c) {
       p.__c.__$f |= 4;
       break;
@@ -649,9 +649,9 @@ function Si(e) {
       var f = o.value.value;
       return f === 0 ? 0 : f === !0 ? "" : f || "";
     }), u = N(function() {
-      return !Array.isArray(c.value) && !Mo(c.value);
+      return !Array.isArray(c.value) && !Co(c.value);
     }), d = T(function() {
-      if (this.N = Mi, u.value) {
+      if (this.N = Ei, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function Si(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Si.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Zr(X, null).constructor }, type: { configurable: !0, value: Si }, props: { configurable: !0, get: function() {
+Ci.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: ti(X, null).constructor }, type: { configurable: !0, value: Ci }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        ks && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        Ss && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,18 +712,18 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = xs(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = Ms(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function xs(e, t, n, o) {
+function Ms(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: T(function() {
-    this.N = Mi;
+    this.N = Ei;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -772,43 +772,43 @@ gt.prototype.shouldComponentUpdate = function(e, t) {
   for (var s in this.props) if (!(s in e)) return !0;
   return !1;
 };
-function nt(e, t) {
-  return Ln(function() {
+function ot(e, t) {
+  return Vn(function() {
     return g(e, t);
   }, []);
 }
-var Ss = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Cs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Ms = function(e) {
+}, Es = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Cs() {
-  On(function() {
-    for (var e; e = ki.shift(); ) Fo.call(e);
-  });
-}
-function Es() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
-}
 function Ts() {
-  On(function() {
-    for (var e; e = xi.shift(); ) Fo.call(e);
+  Hn(function() {
+    for (var e; e = Si.shift(); ) No.call(e);
   });
 }
-function Mi() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+function Ps() {
+  Si.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ts);
 }
-function Ci(e, t) {
+function $s() {
+  Hn(function() {
+    for (var e; e = Mi.shift(); ) No.call(e);
+  });
+}
+function Ei() {
+  Mi.push(this) === 1 && (E.requestAnimationFrame || Es)($s);
+}
+function Ti(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
   Ce(function() {
     return T(function() {
-      if (this.N = Es, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Ps, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
@@ -818,12 +818,12 @@ var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ps = (e, t, n) => I(S(e, 1 - n), S(t, n));
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ls = (e, t, n) => I(S(e, 1 - n), S(t, n));
 function J(e, t = [0, 0, 1]) {
   let n = Oe(e);
   return n > 1e-12 ? S(e, 1 / n) : t;
 }
-function ot(e) {
+function rt(e) {
   let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
   return J(ge(t, e));
 }
@@ -838,39 +838,39 @@ function _t([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => Ps(e, t, 0.5);
+var qe = ([e, t]) => Ls(e, t, 0.5);
 
 // src/camera.ts
-var No = Math.PI / 180, Kn = 89 * No;
+var qo = Math.PI / 180, Dn = 89 * qo;
 function wt(e, t, n) {
-  let o = J(K(e.target, e.eye), [0, 0, -1]), r = J(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * No * 0.5) / n;
+  let o = J(K(e.target, e.eye), [0, 0, -1]), r = J(ge(o, e.up), rt(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * qo * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
 function tn(e, t) {
   let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function $s(e, t, n) {
+function Vs(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
 }
-function Ei(e, t, n, o) {
-  let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
+function Pi(e, t, n, o) {
+  let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), rt(t)), c = Math.max(-Dn, Math.min(Dn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, S(d, i)) };
 }
-function Ti(e, t, n, o, r) {
-  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
-  return je(e, c);
+function $i(e, t, n, o, r) {
+  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, rt(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
+  return Ue(e, c);
 }
-function Pi(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), ot(i));
-  return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
+function Li(e, t, n, o, r) {
+  let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), rt(i));
+  return Ue(e, I(I(S(i, n), S(a, o)), S(t, r)));
 }
-function je(e, t) {
+function Ue(e, t) {
   return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
 }
-function $i(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Kn, Math.min(Kn, a + r)), p = J(ge(i, t), J(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
+function Vi(e, t, n, o, r) {
+  let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Dn, Math.min(Dn, a + r)), p = J(ge(i, t), J(ge(i, e.up), rt(i))), c = (u) => en(en(u, p, s - a), t, o);
   return {
     ...e,
     up: t,
@@ -878,39 +878,39 @@ function $i(e, t, n, o, r) {
     target: I(n, c(K(e.target, n)))
   };
 }
-function Li(e, t, n, o, r) {
+function Ii(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
+  return Ue(e, I(S(t.side, -n * i), S(t.up, o * i)));
 }
-function Dn(e, t, n, o, r) {
+function Fn(e, t, n, o, r) {
   let i = K(t, e.eye), a = Oe(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), je(e, S(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Ue(e, S(i, s / a));
 }
-function Fn(e, t, n, o, r) {
+function Nn(e, t, n, o, r) {
   let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
     S(t.side, (n - t.width / 2) * a),
     S(t.up, (t.height / 2 - o) * a)
   );
-  return { ...je(e, s), height: i };
+  return { ...Ue(e, s), height: i };
 }
-function Vi(e, t, n = 0.4) {
+function Ai(e, t, n = 0.4) {
   let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
   if (e.height) {
     let s = q(K(e.eye, o), i);
     return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
+  let a = Math.max(1.5 * r / Math.tan(e.fov * qo * 0.5), n + r);
   return { ...e, eye: I(o, S(i, a)), target: o };
 }
-var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
-function Ii(e) {
+var Is = ["plan", "ceiling", "north", "east", "south", "west"];
+function Ri(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
   return { right: J(ge(n, e)), ahead: n };
 }
-function Ai(e, t, n, o) {
-  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
+function Oi(e, t, n, o) {
+  let { right: r, ahead: i } = Ri(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
     plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -933,13 +933,13 @@ var ae = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Ri = 0;
+}, Hi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Ri = t.timeStamp, { capture: !0, passive: !0 });
-function Oi(e, t) {
-  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Ri }), ae.sent.length > 1024 && ae.sent.shift();
+  addEventListener(e, (t) => Hi = t.timeStamp, { capture: !0, passive: !0 });
+function Ki(e, t) {
+  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Hi }), ae.sent.length > 1024 && ae.sent.shift();
 }
-function Hi(e) {
+function Di(e) {
   ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -950,7 +950,7 @@ function Hi(e) {
 window.__desk = ae;
 
 // src/store.ts
-var Nn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+var qn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
 function an(e, t) {
   if (!kt(e) || !kt(t)) return t;
   let n = { ...e };
@@ -975,7 +975,7 @@ var on = class {
       let i = this.shown.peek()[o];
       this.own.set(o, { value: an(i, r), seq: n });
     }
-    Nn.add(this), this.show();
+    qn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -989,7 +989,7 @@ var on = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && Nn.delete(this), n && this.show();
+    this.own.size === 0 && qn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -1001,7 +1001,7 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Ki(e) {
+function Fi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1040,14 +1040,14 @@ var Ee = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Ki(a.shown.peek()) !== Ki(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Fi(a.shown.peek()) !== Fi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, M = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), qn = new Ee(), rn = {
+}, M = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Un = new Ee(), rn = {
   lamps: M,
   groups: D,
   things: be,
@@ -1055,37 +1055,37 @@ var Ee = class {
   views: St,
   looks: Mt,
   meters: Ct,
-  grids: qn
-}, Z = g(null), sn = g([]), ke = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), jn = new on({
+  grids: Un
+}, Z = g(null), sn = g([]), ke = g([]), it = g({ undo: null, redo: null, steps: 0 }), at = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), jn = new on({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), at = jn.shown, qo = {
+}), st = jn.shown, Uo = {
   scene: Z,
   layers: sn,
   solo: ke,
-  history: rt,
-  saved: it,
+  history: it,
+  saved: at,
   editor: F,
   status: Te
 };
-function Di(e) {
-  Nn.clear();
+function Ni(e) {
+  qn.clear();
   for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(qo)) t in e && (n.value = e[t]);
+  for (let [t, n] of Object.entries(Uo)) t in e && (n.value = e[t]);
   kt(e.display) && jn.receive(e.display);
 }
-function Fi(e, t) {
+function qi(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in qo && (qo[n].value = o);
+    n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in Uo && (Uo[n].value = o);
   Et(t);
 }
 function Et(e) {
-  for (let t of [...Nn]) t.release(e);
+  for (let t of [...qn]) t.release(e);
 }
-function Ni(e, t) {
+function Ui(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in rn && kt(o))
       for (let [r, i] of Object.entries(o)) {
@@ -1094,88 +1094,88 @@ function Ni(e, t) {
       }
     else n === "display" && kt(o) && t(jn, o);
 }
-var jo = (e, t) => Ni(e, (n, o) => n.keep(o, t)), Un = (e, t) => Ni(e, (n, o) => n.settle(o, t));
-function st(e) {
+var jo = (e, t) => Ui(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ui(e, (n, o) => n.settle(o, t));
+function lt(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-function Uo(e) {
+function Wo(e) {
   return e.reduce((t, n) => {
     let o = M.get(n);
-    return t + (o ? o.flux * st(o) : 0);
+    return t + (o ? o.flux * lt(o) : 0);
   }, 0);
 }
-var qi = N(() => {
+var ji = N(() => {
   let e = M.all();
-  return e.length > 0 && e.every(([, t]) => st(t) === 0);
+  return e.length > 0 && e.every(([, t]) => lt(t) === 0);
 });
-function Vs(e, t) {
+function As(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
-  ji = e;
-}, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
+var j = g("entering"), cn = g(0), pe = g("edit"), Bn = g(null), Ke = g(0), Wi = () => null, Bi = (e) => {
+  Wi = e;
+}, zn = /* @__PURE__ */ new Map(), je = null, ln = 0, Bo = null, un = 0, Tt = "", Gn = !1;
 function xe(e, t) {
-  let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
-  return Bn.set(e, n.add(t)), () => n.delete(t);
+  let n = zn.get(e) ?? /* @__PURE__ */ new Set();
+  return zn.set(e, n.add(t)), () => n.delete(t);
 }
 function H(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Oi(ln, e.do), ln);
+  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Ki(ln, e.do), ln);
 }
-var Is = 0, lt = /* @__PURE__ */ new Map();
+var Rs = 0, ut = /* @__PURE__ */ new Map();
 function Se(e, t, n, o = () => {
 }) {
-  let r = ++Is, i = xe("answer", (s) => {
+  let r = ++Rs, i = xe("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = H({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
-  lt.set(a, (s) => {
+  ut.set(a, (s) => {
     i(), o(s);
   });
-  for (let s of lt.keys()) {
+  for (let s of ut.keys()) {
     if (s > a - 300) break;
-    lt.delete(s);
+    ut.delete(s);
   }
   return i;
 }
-function As(e) {
+function Os(e) {
   switch (e.is) {
     case "hello":
-      if (un = 0, Wo !== null && e.build !== Wo) {
-        U.value = "renewed", Ue?.close();
+      if (un = 0, Bo !== null && e.build !== Bo) {
+        j.value = "renewed", je?.close();
         return;
       }
-      Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
+      Bo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Bn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, ut.clear(), j.value = "open";
       break;
     case "state":
-      Di(e.state ?? e);
+      Ni(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Bn.value) && zo(e.seq), qi(e.patch ?? {}, Ke.value);
       break;
     case "status":
       Te.value = e;
       break;
     case "refused":
-      if (Bo(e.seq), Et(Ke.value), lt.has(e.seq)) {
-        lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
+      if (zo(e.seq), Et(Ke.value), ut.has(e.seq)) {
+        ut.get(e.seq)?.(e.why ?? ""), ut.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (zn = !0);
+      e.what === "bye" && (Gn = !0);
       break;
   }
-  for (let t of [...Bn.get(e.is) ?? []]) t(e);
+  for (let t of [...zn.get(e.is) ?? []]) t(e);
 }
-function Bo(e) {
+function zo(e) {
   typeof e == "number" && e > Ke.value && (Ke.value = e);
 }
-async function Wi() {
+async function zi() {
   if (!Tt) return "in";
   try {
     return (await fetch("/enter", {
@@ -1187,60 +1187,60 @@ async function Wi() {
     return "away";
   }
 }
-function Bi() {
+function Gi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  Ue = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
-    if (t !== Ue) return;
+  je = t, zn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = ji(o.data);
-      i && F.value.you && Bo(i.seq);
+      let i = Wi(o.data);
+      i && F.value.you && zo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), As(r);
+    r.is === "hello" && (n = !0, ln = 0), Os(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Rs(n));
+    t === je && (je = null, j.value !== "renewed" && Hs(n));
   };
 }
-async function Rs(e) {
-  if (Et(1 / 0), !e && await Os()) {
-    let o = await Wi();
+async function Hs(e) {
+  if (Et(1 / 0), !e && await Ks()) {
+    let o = await zi();
     if (o === "denied" || o === "in" && un > 4 && !Tt) {
-      U.value = "denied";
+      j.value = "denied";
       return;
     }
   }
   un += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  un > 3 && t && (zn = !0), U.value = zn ? "ended" : "lost";
+  un > 3 && t && (Gn = !0), j.value = Gn ? "ended" : "lost";
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, Bi();
+  cn.value = 0, Gi();
 }
-async function Os() {
+async function Ks() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function zi() {
+async function Xi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Wi() === "denied") {
-    U.value = "denied";
+  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await zi() === "denied") {
+    j.value = "denied";
     return;
   }
-  Bi();
+  Gi();
 }
-xe("hello", () => zn = !1);
+xe("hello", () => Gn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
-function Hs(e) {
-  if (e.byteLength < Xi) return null;
+var W = g(null), $t = g(0), Yi = ["moving", "settled", "final"], Qi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, Go = null, Xo = !1, ct = null;
+function Ds(e) {
+  if (e.byteLength < Qi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function Hs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Gi[Math.min(t.getUint8(16), 2)],
+    kind: Yi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1256,31 +1256,31 @@ function Hs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ks(e) {
-  let t = Hs(e);
-  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Ds(), t.head) : null;
+function Fs(e) {
+  let t = Ds(e);
+  return t ? (ct && H({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, Xo || Ns(), t.head) : null;
 }
-async function Ds() {
-  for (Go = !0; ut; ) {
-    let { head: e, mime: t, bytes: n, received: o } = ut;
-    ut = null;
+async function Ns() {
+  for (Xo = !0; ct; ) {
+    let { head: e, mime: t, bytes: n, received: o } = ct;
+    ct = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
-      Fs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Qi)], { type: t }));
+      qs(e, r, n.byteLength, o);
     } catch {
     }
     H({ do: "ack", frame: e.frame });
   }
-  Go = !1;
+  Xo = !1;
 }
-function Fs(e, t, n, o) {
+function qs(e, t, n, o) {
   let r = performance.now();
-  Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
+  Pe && Go && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Go.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Hi({
+  i && (W.value = { head: e, camera: i }), Us(), Di({
     frame: e.frame,
     seq: e.seq,
-    kind: Gi.indexOf(e.kind),
+    kind: Yi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1293,20 +1293,20 @@ function Fs(e, t, n, o) {
     encode: e.encode
   });
 }
-var Gn = [];
-function Ns() {
+var Xn = [];
+function Us() {
   let e = performance.now();
-  Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), $t.value = Gn.length;
+  Xn = Xn.filter((t) => e - t < 1e3), Xn.push(e), $t.value = Xn.length;
 }
-function Xo(e) {
-  Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
+function Yo(e) {
+  Pe = e, Go = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Yi() {
+function Ji() {
   if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Ui(Ks);
+Bi(Fs);
 xe("camera", (e) => {
   Pt.set(e.number, e);
   for (let t of Pt.keys()) {
@@ -1315,15 +1315,15 @@ xe("camera", (e) => {
   }
 });
 xe("line", () => {
-  Pt.clear(), ut = null;
+  Pt.clear(), ct = null;
 });
 
 // src/prefs.ts
-var Qi = "lampyris-";
+var Zi = "lampyris-";
 function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Qi + e);
+    let r = localStorage.getItem(Zi + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1331,32 +1331,32 @@ function ue(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Qi + e, r);
+      localStorage.setItem(Zi + e, r);
     } catch {
     }
   }), o;
 }
-var Yo = ue("theme", "dark"), Qo = ue("house-lights", 1), Xn = ue("hands", "default"), Jo = ue("walking", "walk"), Zo = ue("panels", !0), Lt = ue("listing", "faders"), Yn = ue("travel", "square"), Vt = ue("candles", "lx"), er = ue("single-keys", !0), tr = ue("lamp-marks", !0), qs = ue("maintenance", 1), We = ue("fine", !1), nr = ue("fade", 1), js = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", js);
+var Qo = ue("theme", "dark"), Jo = ue("house-lights", 1), Yn = ue("hands", "default"), Zo = ue("walking", "walk"), er = ue("panels", !0), Lt = ue("listing", "faders"), Qn = ue("travel", "square"), Vt = ue("candles", "lx"), tr = ue("single-keys", !0), nr = ue("lamp-marks", !0), js = ue("maintenance", 1), We = ue("fine", !1), or = ue("fade", 1), Ws = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", Ws);
 
 // src/say.ts
-var ct = g([]), Us = 0;
+var ft = g([]), Bs = 0;
 function se(e, t = "plain") {
-  if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++Us;
-  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
+  if (ft.peek().find((r) => r.text === e)) return;
+  let o = ++Bs;
+  ft.value = [...ft.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => rr(o), t === "warn" ? 8e3 : 4e3);
 }
-function or(e) {
-  ct.value = ct.peek().filter((t) => t.id !== e);
+function rr(e) {
+  ft.value = ft.peek().filter((t) => t.id !== e);
 }
 
 // src/gesture.ts
-var It = 0, ea = /* @__PURE__ */ new Set(), ta = (e) => {
-  ea.add(e);
-}, fn = /* @__PURE__ */ new Set(), Qn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
-function Jn() {
-  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
+var It = 0, na = /* @__PURE__ */ new Set(), oa = (e) => {
+  na.add(e);
+}, fn = /* @__PURE__ */ new Set(), Jn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+function Zn() {
+  return j.value !== "open" ? "There is no connection to the program: nothing was changed." : Jn.value;
 }
-var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var ea = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1375,10 +1375,10 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
     this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ji(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: ea(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Un(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, Wn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
@@ -1390,8 +1390,8 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = ie(Jn);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
+    let t = ie(Zn);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && na.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: ea(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
@@ -1404,38 +1404,38 @@ function Le(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Ws(e, t) {
+function zs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
 function At(e) {
-  ie(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, H({ do: "display", patch: e })));
+  ie(() => j.value) === "open" && (jo({ display: e }, 1 / 0), Wn({ display: e }, H({ do: "display", patch: e })));
 }
 var $e = null;
-function rr(e, t, n) {
-  $e && $e.key !== e && Zi(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(Zi, 700);
+function ir(e, t, n) {
+  $e && $e.key !== e && ta(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(ta, 700);
 }
-function Zi() {
+function ta() {
   $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
 T(() => {
   Ke.value, ie(() => [...fn].forEach((e) => e.followed()));
 });
 T(() => {
-  U.value !== "open" && [...fn].forEach((e) => e.drop());
+  j.value !== "open" && [...fn].forEach((e) => e.drop());
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Bs = g(0.5);
-function zs() {
-  let e = W.peek(), t = Yi();
+var pn = g(null), de = g(null), Gs = g(0.5);
+function Xs() {
+  let e = W.peek(), t = Ji();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
-function ir() {
-  de.peek() !== "wipe" && zs();
+function ar() {
+  de.peek() !== "wipe" && Xs();
 }
-ta(ir);
-function na() {
+oa(ar);
+function ra() {
   let e = pn.peek(), t = W.peek();
   if (!e || !t) se("Nothing has been changed yet.");
   else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1443,14 +1443,14 @@ function na() {
   return !1;
 }
 function dn(e) {
-  e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? de.peek() === null && ra() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Gs() {
-  de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
+function Ys() {
+  de.value = de.peek() === "wipe" ? null : ra() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), z = g(null), Xs = g("move"), le = N(() => {
+var P = g(null), me = g(null), z = g(null), Qs = g("move"), le = N(() => {
   let e = P.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
@@ -1465,22 +1465,22 @@ function ze(e, t, n = "only") {
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
   P.value = i.length ? { kind: e, ids: i } : null;
 }
-function Zn() {
+function eo() {
   P.value = null;
 }
-function oa(e, t, n) {
+function ia(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Ys(e) {
+function Js(e) {
   let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function ra(e, t) {
+function aa(e, t) {
   switch (e) {
     case "lamp":
       return M.get(t)?.name ?? `lamp ${t}`;
@@ -1494,10 +1494,10 @@ function ra(e, t) {
       return `${e} ${t}`;
   }
 }
-function eo(e) {
-  return e.length === 1 ? ra("lamp", e[0]) : `${e.length} lamps`;
+function to(e) {
+  return e.length === 1 ? aa("lamp", e[0]) : `${e.length} lamps`;
 }
-function ia(e, t) {
+function sa(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
@@ -1505,39 +1505,39 @@ function ia(e, t) {
     i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && Zn();
+    t === "only" && eo();
     return;
   }
   if (t !== "only") return ze(n[0].kind, n[0].ids[0], t);
   let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   P.value = n[(r + 1) % n.length];
 }
-var to = g(null);
+var no = g(null);
 
 // src/navigate.ts
-var Qs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
+var Zs = 1.6, he = g(null), ua = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), ur = null, mn = null, sr = !1, Ge = [], fr = [], cr = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
   let o = performance.now();
-  n && (o - ur > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
+  n && (o - cr > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), fr.length = 0), cr = o, he.value = e, Ht.value = t;
 }
 var ne = () => he.peek();
-function Js() {
-  la(Ge, cr);
+function el() {
+  ca(Ge, fr);
 }
-function Zs() {
-  la(cr, Ge);
+function tl() {
+  ca(fr, Ge);
 }
-function la(e, t) {
+function ca(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
-  o && t.push(o), ur = performance.now(), he.value = n, Ht.value = null;
+  o && t.push(o), cr = performance.now(), he.value = n, Ht.value = null;
 }
 T(() => {
-  !he.value || U.value !== "open" || !sa.value || ar || (ar = !0, requestAnimationFrame(() => {
-    ar = !1;
+  !he.value || j.value !== "open" || !ua.value || sr || (sr = !0, requestAnimationFrame(() => {
+    sr = !1;
     let t = he.peek();
     if (!t || mn && nn(mn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
@@ -1547,7 +1547,7 @@ T(() => {
 T(() => {
   let e = W.value;
   e && ie(() => {
-    he.peek() && sa.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
+    he.peek() && ua.peek() || (mn = e.camera, he.value = e.camera, ur ??= e.camera);
   });
 });
 xe("hello", () => mn = null);
@@ -1561,55 +1561,55 @@ function hn(e, t) {
   let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function ft(e = he.peek()) {
+function pt(e = he.peek()) {
   let [t, n] = _e.peek();
   return e ? wt(e, t, n) : null;
 }
 var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
-function no(e, t) {
+function oo(e, t) {
   let n = ne();
-  n && Q(Ei(n, Ve.peek(), e, t));
+  n && Q(Pi(n, Ve.peek(), e, t));
 }
-function oo(e, t, n) {
+function ro(e, t, n) {
   let o = ne();
-  o && Q($i(o, Ve.peek(), e, t, n));
+  o && Q(Vi(o, Ve.peek(), e, t, n));
 }
 function Ft(e, t, n) {
-  let o = ne(), r = ft();
-  o && r && Q(Li(o, r, e, t, n));
+  let o = ne(), r = pt();
+  o && r && Q(Ii(o, r, e, t, n));
 }
-function ua(e, t, n) {
+function fa(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
-      let r = ft(o);
-      r && Q(je(o, I(S(r.side, t), S(r.up, e))));
+      let r = pt(o);
+      r && Q(Ue(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ve.peek(), e, t, n)) : (Q(Ti(o, Ve.peek(), e, t, 0)), el());
+    Zo.peek() === "fly" || n !== 0 ? Q(Li(o, Ve.peek(), e, t, n)) : (Q($i(o, Ve.peek(), e, t, 0)), nl());
   }
 }
-var Rt = !1, sr = !0, aa = null;
-function el() {
+var Rt = !1, lr = !0, la = null;
+function nl() {
   let e = ne();
-  if (!e || Rt || !sr) return;
+  if (!e || Rt || !lr) return;
   let t = Ve.peek();
   Rt = !0;
   let n = Se("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
-    Rt = !1, sr = !0;
+    Rt = !1, lr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    aa = q(o.point, t);
-    let i = aa + Qs - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
+    la = q(o.point, t);
+    let i = la + Zs - q(r.eye, t);
+    Math.abs(i) > 0.01 && Q(Ue(r, S(t, i * 0.5)));
   }, () => {
-    Rt = !1, sr = !1;
+    Rt = !1, lr = !1;
   });
   setTimeout(() => {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function tl() {
+function ol() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
@@ -1622,77 +1622,77 @@ function tl() {
   let o = t.flatMap(_t), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function fr() {
-  let e = ne(), t = tl();
-  e && t ? Q(Vi(e, t), "selection") : pr();
-}
 function pr() {
-  lr && Q(lr, "home");
+  let e = ne(), t = ol();
+  e && t ? Q(Ai(e, t), "selection") : dr();
 }
-function nl(e) {
+function dr() {
+  ur && Q(ur, "home");
+}
+function rl(e) {
   let [t, n] = _e.peek();
-  Q(Ai(e, Ot(), Ve.peek(), t / n), e);
+  Q(Oi(e, Ot(), Ve.peek(), t / n), e);
 }
-function ol() {
+function il() {
   for (let e = Ge.length - 1; e >= 0; e--)
     if (!Ge[e].height) return Q(Ge[e], "inside");
-  pr();
+  dr();
 }
-var rl = N(() => {
+var al = N(() => {
   let e = he.value;
   if (!e?.height) return null;
   let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function il(e) {
+function sl(e) {
   let t = ne();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var dr = g("spot"), ca = () => {
-}, al = (e) => {
-  ca = e;
-}, fa = (e) => ca(e);
-function mr(e) {
+var mr = g("spot"), pa = () => {
+}, ll = (e) => {
+  pa = e;
+}, da = (e) => pa(e);
+function hr(e) {
   z.value = z.peek() === e ? null : e;
 }
-var ro = (e) => Math.max(-1, ...e.ids.peek()) + 1;
-function hr(e) {
+var io = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function vr(e) {
   return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? qe(e.box) : null);
 }
 
 // src/actions.ts
-var pt = g(null), Ie = g("lamps"), gr = g("");
-function ao(e) {
-  let t = Jn();
+var dt = g(null), Ie = g("lamps"), gr = g("");
+function so(e) {
+  let t = Zn();
   if (t) return se(t, "warn");
-  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), H(e);
+  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ar(), H(e);
 }
-var sl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ll = {
+var ul = (e, t) => Object.fromEntries(e.map((n) => [n, t])), br = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = ll, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
-function br() {
-  let e = at.peek().false_color;
-  e && (vr = e), At({ false_color: e ? null : pa(vr) });
+}, vn = br, ma = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }), cl = () => st.peek().false_color ?? vn;
+function yr() {
+  let e = st.peek().false_color;
+  e && (vn = e), vn.against != null && (vn = br), At({ false_color: e ? null : ma(vn) });
 }
-function so(e) {
-  let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
+function lo(e) {
+  let t = Math.round(((st.peek().ev ?? 0) + e / 3) * 30) / 30;
   At({ ev: t });
 }
-function cl() {
+function fl() {
   let e = ne();
   if (!e) return;
-  let t = ro(St);
+  let t = io(St);
   Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var fl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
-async function yr(e) {
+var pl = () => so({ do: "look", what: "store", name: `Look ${io(Mt) + 1}` });
+async function _r(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1702,54 +1702,54 @@ async function yr(e) {
   }
   se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Nt = /* @__PURE__ */ new Map(), io = null;
-function pl(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
+var Nt = /* @__PURE__ */ new Map(), ao = null;
+function dl(e) {
+  Nt = new Map(e.map((t) => [t.id, t])), ao && oe(ao), ao = null;
 }
-var dl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
+var ml = () => [...Nt.values()], ha = (e) => Nt.get(e), wr = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
-  Nt.size || (io = e);
+  Nt.size || (ao = e);
   let n = t?.why?.();
   n ? se(n, "warn") : t?.run();
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var ml = /* @__PURE__ */ Symbol.for("pv"), hl = 0;
+var hl = /* @__PURE__ */ Symbol.for("pv"), vl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: ml, __v: --hl, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: hl, __v: --vl, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
-var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
+var ga = g(null), va = !1, kr = (e) => ga.value?.[e];
 function ee({ part: e }) {
-  let t = wr(e);
+  let t = kr(e);
   return t ? l(t, {}) : null;
 }
-function va() {
+function ba() {
   T(() => {
-    if (ma || !(W.value ?? P.value)) return;
-    ma = !0;
+    if (va || !(W.value ?? P.value)) return;
+    va = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ha.value = t);
+      import(e).then((t) => ga.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, ga = {
+var uo = 0.3048, ya = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: lo, "'": lo, in: lo / 12, '"': lo / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: uo, "'": uo, in: uo / 12, '"': uo / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -1759,19 +1759,19 @@ var lo = 0.3048, ga = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, vl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function kr(e) {
-  let t = vl.exec(e);
+}, gl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function xr(e) {
+  let t = gl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ba(e, t, n) {
+function _a(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let p = kr(o);
+    let p = xr(o);
     if (!p) return null;
     let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
     if (u === void 0) return null;
@@ -1779,8 +1779,8 @@ function ba(e, t, n) {
   }
   return i ? null : r;
 }
-function ya(e, t, n) {
-  let o = ga[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function wa(e, t, n) {
+  let o = ya[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1789,19 +1789,19 @@ function ya(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let y = kr(p[1].trim());
+    let y = xr(p[1].trim());
     return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let y = kr(c[2]);
+    let y = xr(c[2]);
     if (!y) return i;
     let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
     return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ba(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = _a(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = ba(m, { ...ga.flux }, NaN);
+    let y = _a(m, { ...ya.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1821,7 +1821,7 @@ function Ae(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function vn(e, t) {
+function gn(e, t) {
   switch (t) {
     case "level":
       return `${Ae(e)} %`;
@@ -1845,20 +1845,21 @@ function vn(e, t) {
       return String(Math.round(e * 1e4) / 1e4);
   }
 }
-function dt(e, t = !0) {
+var Sr = (e) => (e > 0 ? "+" : "") + Ye(e);
+function Ye(e, t = !0) {
   let n = Vt.value === "fc", o = n ? e / 10.7639 : e;
   return Xe(o) + (t ? n ? " fc" : " lx" : "");
 }
 
 // src/field.tsx
-function gn(e) {
-  let t = nt(null), n = nt(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
+function bn(e) {
+  let t = ot(null), n = ot(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : gn(e.value, e.quantity));
   Ce(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = ya(t.value, e.quantity, e.flux);
+    let d = wa(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1934,8 +1935,8 @@ function qt({ id: e, label: t, title: n, children: o }) {
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function xr({ id: e, label: t }) {
-  let n = _r(e), o = da(e);
+function Mr({ id: e, label: t }) {
+  let n = wr(e), o = ha(e);
   return l(
     "button",
     {
@@ -1954,19 +1955,19 @@ function xr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var _a = {
+var ka = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function wa() {
-  let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
+function xa() {
+  let e = st.value, t = it.value.undo, n = it.value.redo, o = at.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
     l("h1", { title: o.file || Z.value?.file, children: [
       Z.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ka[o.state], title: `${ka[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -1985,15 +1986,15 @@ function wa() {
       "Picture ",
       l(G, { name: "down" })
     ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
-    l("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: yr, title: "False colour (B)", children: "False colour" }),
     l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(G, { name: "minus" }) }),
+      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => lo(1), children: l(G, { name: "minus" }) }),
       l("label", { children: [
         l("span", { "aria-hidden": "true", children: "EV" }),
-        l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
+        l(bn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
       ] }),
-      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(G, { name: "plus" }) }),
+      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => lo(-1), children: l(G, { name: "plus" }) }),
       l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
@@ -2007,9 +2008,9 @@ function wa() {
         children: l(G, { name: ye.value ? "lock" : "unlock" })
       }
     ),
-    pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
-    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(G, { name: "help" }) }),
-    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(G, { name: "search" }) }),
+    pe.value === "edit" && l("button", { class: "wide", onClick: () => dt.value = "share", children: "Share" }),
+    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => dt.value = "help", children: l(G, { name: "help" }) }),
+    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => dt.value = "palette", children: l(G, { name: "search" }) }),
     l(
       "button",
       {
@@ -2024,41 +2025,41 @@ function wa() {
 }
 
 // src/highlight.ts
-function uo(e) {
+function co(e) {
   ke.value = e, H({ do: "solo", lamps: e });
 }
-function Sr(e) {
+function Cr(e) {
   let t = ke.peek(), n = e.every((o) => t.includes(o));
-  uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+  co(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var gl = () => Sr(le.peek()), Mr = () => uo([]), bn = null;
-function co(e) {
-  e && bn === null && le.peek().length ? (bn = ke.peek(), uo(le.peek())) : !e && bn !== null && (uo(bn), bn = null);
+var bl = () => Cr(le.peek()), Er = () => co([]), yn = null;
+function fo(e) {
+  e && yn === null && le.peek().length ? (yn = ke.peek(), co(le.peek())) : !e && yn !== null && (co(yn), yn = null);
 }
 
 // src/lights.ts
-var Ye = g(null), Cr = () => {
-}, xa = () => {
+var Qe = g(null), Tr = () => {
+}, Ma = () => {
 };
-function fo(e, t, n) {
-  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ka(n);
+function po(e, t, n) {
+  mo(), Qe.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, Sa(n);
   let o = !0, r = 0;
-  xa = T(() => {
-    for (let [, i] of M.all()) st(i);
+  Ma = T(() => {
+    for (let [, i] of M.all()) lt(i);
     if (o) {
       o = !1;
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = ie(() => Ye.value);
-      i && ka(i.hit);
+      let i = ie(() => Qe.value);
+      i && Sa(i.hit);
     }, 250);
   });
 }
-function ka(e) {
-  Cr(), Cr = Se("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Ye.peek();
-    n && (Ye.value = {
+function Sa(e) {
+  Tr(), Tr = Se("light", { point: e.point, normal: e.normal }, (t) => {
+    let n = Qe.peek();
+    n && (Qe.value = {
       ...n,
       lux: t.lux ?? n.lux,
       lamps: t.lamps ?? n.lamps,
@@ -2066,42 +2067,42 @@ function ka(e) {
     });
   });
 }
-function po() {
-  Cr(), xa(), Ye.value = null;
+function mo() {
+  Tr(), Ma(), Qe.value = null;
 }
 
 // src/keys.ts
-var $a = g("W A S D"), Er = {
+var Va = g("W A S D"), Pr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, bl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
-function La(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
-  if (Pr = e, !jt.size) {
-    Tr = !1;
+}, yl = 1.8, Ut = /* @__PURE__ */ new Set(), ho = !1, vo = 1, $r = !1, Lr = 0;
+function Ia(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Lr) / 1e3));
+  if (Lr = e, !Ut.size) {
+    $r = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let s of jt) {
-    let [p, c, u] = Er[s];
+  for (let s of Ut) {
+    let [p, c, u] = Pr[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, He(...Ot()) / 12), a = bl * t * ho * Math.min(i, 6);
-  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(La);
+  let i = Math.max(1, He(...Ot()) / 12), a = yl * t * vo * Math.min(i, 6);
+  (n || o || r) && fa(n * a, o * a, r * a), requestAnimationFrame(Ia);
 }
-function yn(e) {
-  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(La));
+function _n(e) {
+  Ut.add(e), !$r && ($r = !0, Lr = performance.now(), requestAnimationFrame(Ia));
 }
-var yl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Sa() {
+var _l = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Ca() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var _l = {
+var wl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2121,7 +2122,7 @@ var _l = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ma = {
+}, Ea = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2129,7 +2130,7 @@ var _l = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ca = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ea = {
+}, Ta = { Comma: "darker", Period: "brighter", Slash: "expose" }, Pa = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2138,32 +2139,32 @@ var _l = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function wl(e) {
+function kl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function kl() {
-  z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function xl() {
+  z.peek() ? z.value = null : Qe.peek() ? mo() : de.peek() ? de.value = null : P.peek() ? eo() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ta(e) {
+function $a(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? ro(Dt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
 }
-function Pa(e) {
-  let t = ne(), n = ft();
-  !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
+function La(e) {
+  let t = ne(), n = pt();
+  !t || !n || (t.height ? Q(Nn(t, n, n.width / 2, n.height / 2, e)) : Q(Fn(t, t.target, e, 0.3, !0)));
 }
-function xl(e) {
+function Sl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return kl();
-  if (yl(e.target)) {
+  if (e.key === "Escape") return xl();
+  if (_l(e.target)) {
     t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (Sa() && Ta(e)) return e.preventDefault();
-    let i = wl(e);
+    if (Ca() && $a(e)) return e.preventDefault();
+    let i = kl(e);
     i && De(e, i);
     return;
   }
@@ -2178,68 +2179,68 @@ function xl(e) {
       a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
+    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Pr)) return;
   }
-  let n = Sa();
-  if (n && Ta(e)) return e.preventDefault();
-  if (n && e.code in Er)
-    return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Pa(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Pa(1 / 0.85);
-  if (!er.peek()) return;
-  if (e.shiftKey && Ea[e.code]) return De(e, Ea[e.code]);
-  if (mo && /^\d$/.test(e.key)) {
-    e.preventDefault(), mo = !1;
+  let n = Ca();
+  if (n && $a(e)) return e.preventDefault();
+  if (n && e.code in Pr)
+    return vo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, _n(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return La(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return La(1 / 0.85);
+  if (!tr.peek()) return;
+  if (e.shiftKey && Pa[e.code]) return De(e, Pa[e.code]);
+  if (ho && /^\d$/.test(e.key)) {
+    e.preventDefault(), ho = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && ao({ do: "look", id: i, what: "recall", seconds: nr.peek() });
+    i !== void 0 && so({ do: "look", id: i, what: "recall", seconds: or.peek() });
     return;
   }
-  if (mo = e.key.toLowerCase() === "j", mo) return se("Recall a look: now its digit.");
+  if (ho = e.key.toLowerCase() === "j", ho) return se("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
     e.preventDefault(), gr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ca[e.code]) return De(e, Ca[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Ta[e.code]) return De(e, Ta[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return Sl();
-  let r = e.shiftKey && Ma[o] ? Ma[o] : _l[o];
+  if (o === "p" && e.shiftKey) return Ml();
+  let r = e.shiftKey && Ea[o] ? Ea[o] : wl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function Sl() {
+function Ml() {
   let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
-  n && Se("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
+  n && Se("point", n, (o) => o.hit && po(e / 2, t / 2, o));
 }
 function De(e, t) {
   e.preventDefault(), oe(t);
 }
-function Ml(e) {
-  jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
+function Cl(e) {
+  Ut.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && fo(!1), e.key === "Shift" && (vo = 1);
 }
-function Va() {
-  addEventListener("keydown", xl), addEventListener("keyup", Ml), addEventListener("blur", () => {
-    jt.clear(), co(!1), dn(!1);
+function Aa() {
+  addEventListener("keydown", Sl), addEventListener("keyup", Cl), addEventListener("blur", () => {
+    Ut.clear(), fo(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Va.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Cl(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
-  ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
+function El(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Ut.delete(n);
+  vo = Math.min(1, Math.hypot(e, t)), e > 0.2 && _n("KeyW"), e < -0.2 && _n("KeyS"), t < -0.2 && _n("KeyA"), t > 0.2 && _n("KeyD");
 }
 
 // src/levels.ts
-var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
-  let t = Yn.peek() === "square" ? e * e : e;
+var Vr = (e) => Math.min(1, Qn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ir = (e) => {
+  let t = Qn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, El = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
-function Vr(e) {
+}, Tl = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, go = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+function Ar(e) {
   let t = le.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ia(e, t, n) {
+function Ra(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2248,10 +2249,10 @@ function Ia(e, t, n) {
   }
   return { lamps: r };
 }
-var _n = class {
+var wn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = El(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
+    this.was = this.now = Tl(t), this.from = t.kind === "lamp" ? new Map(Ar(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${go(t)} level`);
   }
   strip;
   gesture;
@@ -2259,66 +2260,66 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ia(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ra(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
+    let t = this.from.size > 1 ? to([...this.from.keys()]) : go(this.strip);
     this.gesture.end(`${t} ${Ae(this.was)} → ${Ae(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function go(e, t) {
-  let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ia(e, t, n));
+function bo(e, t) {
+  let n = new Map(Ar(e).map((o) => [o, M.get(o)?.level ?? 0]));
+  ir(`level ${e.kind} ${e.id}`, `${go(e)} level`, Ra(e, t, n));
 }
-function Ir(e, t) {
+function Rr(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = M.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
   })), o = e.length === 1 ? ` ${Ae(M.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
-  Le(`${eo(e)}${o}`, { lamps: n });
+  Le(`${to(e)}${o}`, { lamps: n });
 }
-function Ar(e, t) {
+function Or(e, t) {
   let n = t(D.get(e)?.level ?? 0);
   Le(`${D.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
 }
-function Rr(e, t) {
-  let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
+function Hr(e, t) {
+  let n = `${go(e)} ${t ? "on" : "off"}`;
+  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Ar(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var Tl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Pl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, $l = (e) => Math.round(255 * Tl(Math.max(0, Math.min(1, e))));
-function Or(e) {
+var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, $l = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Ll = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
+function Kr(e) {
   let t = Math.max(...e, 1e-6);
-  return Aa(e.map((n) => n / t));
+  return Oa(e.map((n) => n / t));
 }
-function Aa(e) {
-  return `#${e.map((t) => $l(t).toString(16).padStart(2, "0")).join("")}`;
+function Oa(e) {
+  return `#${e.map((t) => Ll(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Ll(e) {
-  let t = (n) => Pl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Vl(e) {
+  let t = (n) => $l(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Vl = (e) => 1e6 / e;
+var Il = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ra = -1e9;
-addEventListener("scroll", () => Ra = performance.now(), { capture: !0, passive: !0 });
-var Ut = (e) => Math.max(0, Math.min(1, e));
-function Hr(e) {
+var Ha = -1e9;
+addEventListener("scroll", () => Ha = performance.now(), { capture: !0, passive: !0 });
+var jt = (e) => Math.max(0, Math.min(1, e));
+function Dr(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
-    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
+    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? jt(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(jt(d));
   }, i = (c) => {
     let u = n.current;
     if (!u || u.id !== c.pointerId) return;
     let d = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (d.height - 16) : (c.clientX - u.x) / (d.width - 12);
-    u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(Ut(u.at));
+    u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(jt(u.at));
   }, a = (c) => {
     n.current?.id === c.pointerId && (n.current = null, c.type === "pointercancel" ? e.cancel?.() : e.end?.());
   }, s = (c) => {
@@ -2327,12 +2328,12 @@ function Hr(e) {
       return;
     }
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
-    u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
+    u && (d = jt(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Ra < 400 || c.ctrlKey) return;
+    if (performance.now() - Ha < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
-    u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
+    u && e.on(jt(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
   };
   return l(
     "input",
@@ -2348,7 +2349,7 @@ function Hr(e) {
       disabled: e.disabled,
       "aria-label": e.label,
       "aria-valuetext": e.text,
-      style: { "--t": Ut(e.value), "--gradient": e.gradient ?? "" },
+      style: { "--t": jt(e.value), "--gradient": e.gradient ?? "" },
       onPointerDown: r,
       onPointerMove: i,
       onPointerUp: a,
@@ -2366,16 +2367,16 @@ function Hr(e) {
 }
 
 // src/faderrow.tsx
-function Oa(e) {
+function Ka(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ha({ row: e, index: t, count: n }) {
+var Fr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Da({ row: e, index: t, count: n }) {
   let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
-    begin: () => o.current = new _n(r),
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Wo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Jn.value, x = d ? 0 : -1, k = {
+    begin: () => o.current = new wn(r),
     end: () => {
       o.current?.end(), o.current = null;
     },
@@ -2394,44 +2395,44 @@ function Ha({ row: e, index: t, count: n }) {
       onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => me.value = null,
       children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Hr(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Fa(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Fr(i)}` : s.name, onClick: (_) => Nr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Kr(i), children: [
+            i && !i.free && l("small", { class: "traced", title: Fr(i), children: [
               "↻",
               l("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
           i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
-            Oa(i)
+            l("i", { class: "swatch", style: { background: Kr(i.swatch) } }),
+            Ka(i)
           ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Cr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
-            Hr,
+            Dr,
             {
               label: `${s.name} level`,
               class: "level",
-              value: $r(s.level),
+              value: Vr(s.level),
               text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
               on: (_) => {
-                let C = Lr(_);
-                o.current ? o.current.to(C) : go(r, C);
+                let C = Ir(_);
+                o.current ? o.current.to(C) : bo(r, C);
               },
-              reset: () => go(r, 1),
+              reset: () => bo(r, 1),
               ...k
             }
           ),
           l(
-            gn,
+            bn,
             {
               label: `${s.name} level, typed`,
               quantity: "level",
@@ -2441,10 +2442,10 @@ function Ha({ row: e, index: t, count: n }) {
               disabled: w !== null,
               why: w,
               tabIndex: x,
-              set: (_) => i ? Ir(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ar(e.id, _)
+              set: (_) => i ? Rr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Or(e.id, _)
             }
           ),
-          l("span", { class: "lumens", children: vn(u, "flux") })
+          l("span", { class: "lumens", children: gn(u, "flux") })
         ] })
       ]
     }
@@ -2452,9 +2453,9 @@ function Ha({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Da = 4;
-function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = te(null), s = nt(0), p = nt(600);
+var Na = 4;
+function qr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = te(null), s = ot(0), p = ot(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
@@ -2464,15 +2465,15 @@ function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Da), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Da);
+  let c = Math.max(0, Math.floor(s.value / t) - Na), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Na);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() => {
-  let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
-  if (yo.value !== "group" && Lt.value === "sheet") {
-    let s = yo.value, p = [...r];
+var yo = g(""), mt = g(/* @__PURE__ */ new Set()), _o = g("group"), Ua = N(() => {
+  let e = yo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+  if (_o.value !== "group" && Lt.value === "sheet") {
+    let s = _o.value, p = [...r];
     return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
   }
   let i = [], a = /* @__PURE__ */ new Set();
@@ -2489,28 +2490,28 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Fa = !1;
+}), qa = !1;
 D.ids.subscribe((e) => {
-  Fa || !e.length || (Fa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  qa || !e.length || (qa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ka(e) {
+function Fa(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
-function Dr(e, t, n) {
-  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Nr(e, t, n) {
+  e.shiftKey ? ia(t, Ua.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Il(e) {
+function Al(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Al = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function qa() {
-  let e = Na.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Il, children: [
+var Rl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function ja() {
+  let e = Ua.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Al, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2529,21 +2530,21 @@ function qa() {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: bo.value,
-          onInput: (i) => bo.value = i.currentTarget.value,
+          value: yo.value,
+          onInput: (i) => yo.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (bo.value = "", i.stopPropagation());
+            i.key === "Escape" && (yo.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && l("select", { "aria-label": "Order", value: yo.value, onChange: (i) => yo.value = i.currentTarget.value, children: [
+      r && l("select", { "aria-label": "Order", value: _o.value, onChange: (i) => _o.value = i.currentTarget.value, children: [
         l("option", { value: "group", children: "by group" }),
         l("option", { value: "name", children: "by name" }),
         l("option", { value: "flux", children: "by flux" }),
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Al.map((i) => l(xr, { id: i }, i)),
+        Rl.map((i) => l(Mr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2552,14 +2553,14 @@ function qa() {
     ] }),
     r && l(ee, { part: "SheetHead" }),
     l(
-      Fr,
+      qr,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? wr("SheetRow") : Ha;
+          let a = e[i], s = r ? kr("SheetRow") : Da;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2574,57 +2575,57 @@ function qa() {
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), ja = g(!1), wn = 0;
+var xn = g(null), Je = g([]), Sn = g(null), jr = g(null), Ur = N(() => Te.value?.stage ?? "loading"), Wa = g(!1), kn = 0;
 T(() => {
   let e = Te.value?.fps ?? 0;
-  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, ja.value = wn > 0 && performance.now() - wn > 2e3;
+  Ur.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? kn || (kn = performance.now()) : kn = 0, Wa.value = kn > 0 && performance.now() - kn > 2e3;
 });
 var Wt = N(() => {
-  switch (U.value) {
+  switch (j.value) {
     case "entering":
       return "starting";
     case "open":
       break;
     default:
-      return U.value;
+      return j.value;
   }
-  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : ja.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
+  return !Z.value || !W.value ? "loading" : at.value.state === "failed" ? "unsaved" : xn.value !== null ? "broken" : Sn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : ji.value ? "all-off" : Wa.value ? "slow" : Ur.value === "loading" ? "first" : Ur.value;
 });
 xe("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      kn.value = null, Qe.value = e.lost ?? [];
+      xn.value = null, Je.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      se(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
+      se(`The scene was read again: ${t} edits kept${Je.value.length ? `, ${Je.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
-      kn.value = e.why ?? "The scene file cannot be read.";
+      xn.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      xn.value = e.by ?? F.peek().name ?? "somebody else";
+      Sn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      qr.value = e;
+      jr.value = e;
       break;
   }
 });
 xe("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
 T(() => {
-  F.value.you && (xn.value = null);
+  F.value.you && (Sn.value = null);
 });
 
 // src/probe.ts
-var _o = g(null);
-function wo(e, t, n) {
+var wo = g(null);
+function ko(e, t, n) {
   let o = Kt(e, t);
   if (!o) return n(null);
   Se("point", o, (r) => n(r.hit ? r : null));
 }
-function Ua(e) {
+function Ba(e) {
   if (!e) return "";
   let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
-  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${Ye(e.lux[0])} ±${Ye(e.lux[1], !1)}`), e.change != null && t.push(`Δ ${Sr(e.change)}`), e.luminance) {
     let i = e.luminance[0] * (Vt.value === "fc" ? 0.2919 : 1);
     t.push(`${Xe(i)} ${Vt.value === "fc" ? "fL" : "cd/m²"}`);
   }
@@ -2632,7 +2633,7 @@ function Ua(e) {
 }
 
 // src/status.tsx
-var Wa = N(() => {
+var za = N(() => {
   W.value;
   let e = [];
   for (let t of ae.sent.slice(-24)) {
@@ -2642,7 +2643,7 @@ var Wa = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Rl() {
+function Ol() {
   let e = Te.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2659,20 +2660,20 @@ function Rl() {
       return `finished${t}`;
   }
 }
-function Ba() {
+function Ga() {
   let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Rl()
+      Ol()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    Wa.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Wa.value),
+    l("span", { children: j.value === "open" ? `${B($t.value)} fps` : "no line" }),
+    za.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(za.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2685,11 +2686,11 @@ function Ba() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ua(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Ba(wo.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
-      Wn.value ?? "",
+      Bn.value ?? "",
       " ",
       Wt.value
     ] })
@@ -2697,11 +2698,11 @@ function Ba() {
 }
 
 // src/pointer.ts
-var Ol = 4, za = 35e-4, Hl = 0.15;
-function Kl(e, t, n) {
+var Hl = 4, Xa = 35e-4, Kl = 0.15;
+function Dl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ga(e, t) {
+function Ya(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2712,13 +2713,13 @@ function Ga(e, t) {
       A.hit && $?.(A);
     });
   }, m = (h) => {
-    let v = ft();
+    let v = pt();
     return v ? Math.max(0.2, q(K(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Kl(Xn.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Dl(Yn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2750,7 +2751,7 @@ function Ga(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Ol)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Hl)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2763,11 +2764,11 @@ function Ga(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * za, R * A * za);
+          oo(R * V * Xa, R * A * Xa);
           break;
         }
         case "orbit":
-          oo(o, -V * 6e-3, -A * 6e-3);
+          ro(o, -V * 6e-3, -A * 6e-3);
           break;
         case "pan":
           Ft(V, A, r);
@@ -2801,32 +2802,32 @@ function Ga(e, t) {
   }
   let x = null;
   function k(h, v, $, L) {
-    let V = ne(), A = ft();
+    let V = ne(), A = pt();
     if (!V || !A) return;
-    if (V.height) return Q(Fn(V, A, h, v, $));
+    if (V.height) return Q(Nn(V, A, h, v, $));
     let R = performance.now();
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (zr) => {
-        vt.point = zr.point, r = m(zr.point);
+      d(h, v, (Xr) => {
+        vt.point = Xr.point, r = m(Xr.point);
       });
     }
     x.time = R;
-    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, Br = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, Br, $, Hl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
+    let [as, ss] = [h - A.width / 2, A.height / 2 - v], ls = Math.min(r, He(V.eye, Dt()) + 1), xo = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * as * A.pixel + A.up[vt] * ss * A.pixel) * ls, Gr = x.point ?? [xo(0), xo(1), xo(2)];
+    Q(Fn(V, Gr, $, Kl, L)), L && He(V.eye, Gr) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
     let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
-    if (Xn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
+    if (Yn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
     let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
     k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
   let C = (h) => h.preventDefault(), Me = () => {
     clearTimeout(a), t.unhover();
-  }, Je = (h) => {
+  }, Ze = (h) => {
     !h.target.closest("[data-handle]") && z.peek() === null && t.double();
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
@@ -2834,19 +2835,19 @@ function Ga(e, t) {
     let h = e.getBoundingClientRect();
     _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
     ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
 // src/overlay.ts
-var Dl = "http://www.w3.org/2000/svg";
+var Fl = "http://www.w3.org/2000/svg";
 function we(e, t = {}, n) {
-  let o = document.createElementNS(Dl, e);
+  let o = document.createElementNS(Fl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Ur = class {
+var Br = class {
   view;
   fit;
   constructor(t) {
@@ -2868,23 +2869,23 @@ var Ur = class {
     return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function Wr() {
+function zr() {
   let e = W.value;
-  return _e.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
+  return _e.value, e ? new Br(wt(e.camera, e.head.width, e.head.height)) : null;
 }
-function Xa() {
-  let e = ie(Wr);
+function Qa() {
+  let e = ie(zr);
   return e ? M.all().flatMap(([t, n]) => {
-    let o = Ya(n), r = o && e.at(o);
+    let o = Ja(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ya = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function jr(e, t) {
+var Ja = vr, Nl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Wr(e, t) {
   let n = _t(t);
-  return Fl.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Nl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Nl = 150, Sn = class {
+var ql = 150, Mn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2915,44 +2916,44 @@ var Nl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Qa(e) {
-  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
-  }), s = new Sn(we("g", {}, e), "meter", (u) => {
+function Za(e) {
+  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Mn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Mn(we("g", {}, e), "grid", () => {
+  }), s = new Mn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
-    let u = Wr();
+    let u = zr();
     if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Nl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
-      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= ql, w = M.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Ze = Ja(_), fe = _.place?.position;
+      if (C && _.box && (b += Wr(u, _.box)), fe && _.place?.direction && (C || Me)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
-      let ve = C || Me || y && tr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${st(_) ? "" : "off"}`;
-      return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Me ? _.name : "", state: h };
+      let ve = C || Me || y && nr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${lt(_) ? "" : "off"}`;
+      return { id: k, at: Ze && ve ? u.at(Ze) : null, label: C || Me ? _.name : "", state: h };
     });
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
       for (let k of d.ids) {
         let _ = be.get(k)?.box;
-        _ && (b += jr(u, _));
+        _ && (b += Wr(u, _));
       }
     n.setAttribute("d", b);
     let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", x ? jr(u, x) : "");
+    o.setAttribute("d", x ? Wr(u, x) : "");
   }), c = T(() => {
-    let u = Wr();
+    let u = zr();
     if (!u) return;
     let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
     s.draw(Ct.all().map(([b, y]) => ({
       id: b,
       at: u.at(y.point),
-      label: y.lux ? dt(y.lux[0]) : "…",
+      label: y.lux ? Ye(y.lux[0]) : "…",
       state: m("meter", b)
     })));
     let f = "";
-    a.draw(qn.all().map(([b, y]) => {
-      f += ql(u, y);
-      let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
+    a.draw(Un.all().map(([b, y]) => {
+      f += Ul(u, y);
+      let w = y.mean == null ? "…" : `${y.name} ${Ye(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
   });
@@ -2960,7 +2961,7 @@ function Qa(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function ql(e, t) {
+function Ul(e, t) {
   let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
@@ -2974,7 +2975,7 @@ function ql(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ja = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+var es = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
 function jl() {
   let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Le("All lamps on", {
@@ -2982,12 +2983,12 @@ function jl() {
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Ul() {
+function Wl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = qr.value;
+      let e = jr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
         e?.file ?? Z.value?.file ?? "the scene",
@@ -3006,11 +3007,11 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Ja() }),
+          l("code", { children: es() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(Ja());
+          _r(es());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3023,20 +3024,20 @@ function Ul() {
     case "unsaved":
       return l(ce, { tone: "warn", children: [
         "Edits are not being saved: ",
-        it.value.why ?? "unknown reason",
+        at.value.why ?? "unknown reason",
         ".",
-        l("button", { onClick: () => pt.value = "save", children: "Save elsewhere" })
+        l("button", { onClick: () => dt.value = "save", children: "Save elsewhere" })
       ] });
     case "broken":
       return l(ce, { tone: "warn", children: [
-        kn.value,
+        xn.value,
         " Still showing what was read before."
       ] });
     case "control-lost":
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "Control moved to ",
-          l("em", { children: xn.value }),
+          l("em", { children: Sn.value }),
           "."
         ] }),
         " ",
@@ -3062,7 +3063,7 @@ function Ul() {
           "button",
           {
             onClick: () => {
-              dr.value = "disc", mr("add");
+              mr.value = "disc", hr("add");
             },
             children: "ceiling lamp"
           }
@@ -3072,7 +3073,7 @@ function Ul() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
+        it.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
         l("button", { onClick: jl, children: "Turn on" })
       ] });
     case "slow":
@@ -3085,73 +3086,73 @@ function Ul() {
       return null;
   }
 }
-function Za() {
+function ts() {
   let e = ke.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Ul(),
-    Qe.value.length > 0 && l(ce, { tone: "calm", children: [
+    Wl(),
+    Je.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
-          Qe.value.length,
+          Je.value.length,
           " edits no longer find what they changed"
         ] }),
-        l("ul", { children: Qe.value.map((t) => l("li", { children: t }, t)) })
+        l("ul", { children: Je.value.map((t) => l("li", { children: t }, t)) })
       ] }),
-      l("button", { onClick: () => Qe.value = [], children: "Good" })
+      l("button", { onClick: () => Je.value = [], children: "Good" })
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
       e.length === 1 ? M.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: Mr, children: "End solo" })
+      l("button", { onClick: Er, children: "End solo" })
     ] }),
-    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ft.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => or(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => rr(t.id), children: l(G, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var ts = g(null);
-function Wl(e, t) {
-  let n = Xa();
+var os = g(null);
+function Bl(e, t) {
+  let n = Qa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Bl = {
+var zl = {
   click(e, t, n) {
-    let o = es(e, t);
+    let o = ns(e, t);
     if (z.peek() === null && o) return ze(o.kind, o.id, n);
-    wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return fa(r);
-      ia(r, n), P.peek() && (Ie.value = "inspector");
+    ko(e, t, (r) => {
+      if (r && (no.value = { point: r.point, normal: r.normal }), z.peek() !== null) return da(r);
+      sa(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
-    wo(e, t, (n) => {
-      n && fo(e, t, n);
+    ko(e, t, (n) => {
+      n && po(e, t, n);
     });
   },
   double() {
-    fr();
+    pr();
   },
   hover(e, t) {
-    let n = es(e, t);
-    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
-      _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
+    let n = ns(e, t);
+    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), ko(e, t, (o) => {
+      wo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ts.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Wl(e, t);
+    if (os.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Bl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function es(e, t) {
+function ns(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3161,7 +3162,7 @@ function es(e, t) {
   }
   return o;
 }
-var zl = {
+var Gl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3169,15 +3170,15 @@ var zl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function ns() {
+function rs() {
   let e = te(null), t = te(null), n = te(null);
   return Ce(() => {
-    Xo(t.current);
-    let o = Qa(n.current), r = Ga(e.current, Bl);
+    Yo(t.current);
+    let o = Za(n.current), r = Ya(e.current, zl);
     return () => {
-      Xo(null), o(), r();
+      Yo(null), o(), r();
     };
-  }, []), Ci(() => {
+  }, []), Ti(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3197,13 +3198,13 @@ function ns() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(Gl, {})
+          l(Xl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: zl[z.value] }),
-    l(Za, {}),
+    z.value && l("p", { class: "hint", role: "status", children: Gl[z.value] }),
+    l(ts, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3211,8 +3212,8 @@ function ns() {
     l(ee, { part: "What" })
   ] });
 }
-function Gl() {
-  let e = ts.value;
+function Xl() {
+  let e = os.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3227,140 +3228,141 @@ function Gl() {
 }
 
 // src/main.tsx
-function Xl() {
+function Yl() {
   return l(X, { children: [
-    l(wa, {}),
-    l(qa, {}),
-    l(ns, {}),
+    l(xa, {}),
+    l(ja, {}),
+    l(rs, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Ba, {}),
+    l(Ga, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ai(l(Xl, {}), ht);
+li(l(Yl, {}), ht);
 T(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
+  ht.dataset.state = Wt.value, ht.dataset.line = j.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
 });
 T(() => {
-  ht.dataset.panels = Zo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
+  ht.dataset.panels = er.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
 });
 T(() => {
-  document.documentElement.dataset.theme = Yo.value, document.documentElement.style.setProperty("--house", String(Qo.value));
+  document.documentElement.dataset.theme = Qo.value, document.documentElement.style.setProperty("--house", String(Jo.value));
 });
 T(() => {
   Z.value && (document.title = `${Z.value.name} – Lampyris`);
 });
-var os = 0;
+var is = 0;
 T(() => {
   let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(os), os = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(is), is = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-va();
-Va();
-zi();
+ba();
+Aa();
+Xi();
 export {
-  _n as Fade,
-  gn as Field,
+  br as DEFAULT_FALSE,
+  wn as Fade,
+  bn as Field,
   X as Fragment,
   Be as Gesture,
   G as Icon,
-  xr as Item,
-  Ls as PRESETS,
-  Hr as Range,
-  Fr as Virtual,
-  ot as across,
+  Mr as Item,
+  Is as PRESETS,
+  Dr as Range,
+  qr as Virtual,
+  rt as across,
   oe as act,
   I as add,
-  dr as adding,
-  dl as allActions,
+  mr as adding,
+  ml as allActions,
   Se as ask,
-  pa as asked,
-  Js as back,
+  ma as asked,
+  el as back,
   pn as before,
   he as camera,
   Vt as candles,
   le as chosenLamps,
-  Mr as clearSolo,
-  po as closeWhat,
-  Oa as colorText,
-  ao as command,
+  Er as clearSolo,
+  mo as closeWhat,
+  Ka as colorText,
+  so as command,
   dn as compareHeld,
   de as comparing,
-  Ii as compass,
+  Ri as compass,
   N as computed,
-  yr as copyText,
-  Kr as cost,
+  _r as copyText,
+  Fr as cost,
   ge as cross,
-  Or as css,
-  rl as cut,
-  Zn as deselect,
+  Kr as css,
+  al as cut,
+  eo as deselect,
   B as digits,
-  at as display,
+  st as display,
   He as distance,
   q as dot,
-  sl as each,
+  ul as each,
   Le as edit,
   F as editor,
   T as effect,
-  so as exposeBy,
-  nr as fade,
-  ul as falseColor,
-  Vs as filterOf,
+  lo as exposeBy,
+  or as fade,
+  cl as falseColor,
+  As as filterOf,
   We as fine,
   hn as fitted,
-  vn as format,
-  Zs as forth,
-  fr as frameSelection,
-  ro as free,
-  Ll as fromHex,
+  gn as format,
+  tl as forth,
+  pr as frameSelection,
+  io as free,
+  Vl as fromHex,
   Q as go,
-  pr as goHome,
-  ol as goInside,
-  nl as goPreset,
-  qn as grids,
+  dr as goHome,
+  il as goInside,
+  rl as goPreset,
+  Un as grids,
   D as groups,
-  Xs as handles,
-  Xn as hands,
+  Qs as handles,
+  Yn as hands,
   xe as hear,
   ne as here,
-  Aa as hex,
-  co as highlight,
-  rt as history,
-  Qo as houseLights,
+  Oa as hex,
+  fo as highlight,
+  it as history,
+  Jo as houseLights,
   me as hovered,
   l as jsx,
   l as jsxs,
-  tr as lampMarks,
+  nr as lampMarks,
   M as lamps,
   sn as layers,
   Oe as length,
   Lt as listing,
   ye as lookOnly,
   Mt as looks,
-  Uo as lumensOf,
-  dt as luxText,
-  qs as maintenance,
+  Wo as lumensOf,
+  Ye as luxText,
+  js as maintenance,
   xt as materials,
   Ct as meters,
   qe as middle,
-  Vl as mired,
-  ra as nameOf,
+  Il as mired,
+  aa as nameOf,
   J as normal,
-  al as onTool,
-  st as output,
-  Cl as padWalk,
-  Zo as panels,
-  Qn as penless,
+  ll as onTool,
+  lt as output,
+  El as padWalk,
+  er as panels,
+  Jn as penless,
   Ae as percent,
-  Dr as pickRow,
+  Nr as pickRow,
   wt as pinhole,
-  hr as positionOf,
+  vr as positionOf,
   tn as project,
-  $s as ray,
-  pl as register,
+  Vs as ray,
+  dl as register,
   pe as role,
   se as say,
   S as scale,
@@ -3368,49 +3370,50 @@ export {
   ze as select,
   P as selection,
   H as send,
-  il as setCut,
-  pt as sheet,
+  sl as setCut,
+  dt as sheet,
   At as show,
   W as shown,
   g as signal,
-  er as singleKeys,
-  gl as soloSelection,
-  to as spot,
-  mr as startTool,
+  Sr as signed,
+  tr as singleKeys,
+  bl as soloSelection,
+  no as spot,
+  hr as startTool,
   Te as status,
-  Ws as step,
-  Ys as stepSelection,
-  fl as storeLook,
-  cl as storeView,
-  rr as stroke,
-  go as strokeLevel,
+  zs as step,
+  Js as stepSelection,
+  pl as storeLook,
+  fl as storeView,
+  ir as stroke,
+  bo as strokeLevel,
   K as sub,
-  Rr as switchOn,
-  Yo as theme,
+  Hr as switchOn,
+  Qo as theme,
   be as things,
   Xe as three,
-  eo as titleOf,
-  Lr as toLevel,
-  $r as toTravel,
-  br as toggleFalse,
-  Gs as toggleWipe,
+  to as titleOf,
+  Ir as toLevel,
+  Vr as toTravel,
+  yr as toggleFalse,
+  Ys as toggleWipe,
   z as tool,
-  Yn as travel,
+  Qn as travel,
   en as turn,
-  Ar as typeGroupLevel,
-  Ir as typeLevel,
+  Or as typeGroupLevel,
+  Rr as typeLevel,
   Ve as up,
   Ce as useEffect,
-  vs as useLayoutEffect,
+  bs as useLayoutEffect,
   te as useRef,
   Ht as viewName,
   _e as viewSize,
   St as views,
-  $a as walkNames,
-  Jo as walking,
+  Va as walkNames,
+  Zo as walking,
   gr as wantLevel,
-  Ye as what,
-  Jn as whyNot,
-  _r as whyNotTo,
-  Bs as wipeAt
+  Qe as what,
+  Zn as whyNot,
+  wr as whyNotTo,
+  Gs as wipeAt
 };

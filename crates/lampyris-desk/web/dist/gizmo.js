@@ -1,248 +1,269 @@
 // src/later/actions.ts
 import {
-  adding as rl,
-  asked as il,
-  ask as sl,
-  back as ul,
-  candles as ea,
+  adding as hl,
+  asked as gl,
+  ask as fl,
+  back as bl,
+  candles as oa,
   chosenLamps as pe,
-  clearSolo as cl,
-  command as en,
-  compareHeld as pl,
-  copyText as ml,
-  deselect as dl,
-  each as nn,
-  edit as an,
-  exposeBy as ta,
-  falseColor as hl,
-  fine as na,
-  forth as gl,
-  frameSelection as bl,
-  go as fl,
-  goHome as vl,
-  goInside as yl,
-  goPreset as kl,
-  handles as aa,
-  hands as wl,
-  here as xl,
-  highlight as Ml,
-  history as oa,
-  lampMarks as la,
-  lamps as dt,
-  listing as ra,
-  lookOnly as ia,
-  panels as sa,
-  PRESETS as Sl,
-  register as Cl,
-  say as mt,
-  scene as $l,
-  selection as ha,
-  send as Ll,
-  sheet as ze,
-  show as Pl,
-  soloSelection as Tl,
-  spot as Xe,
+  clearSolo as vl,
+  command as nn,
+  compareHeld as yl,
+  copyText as kl,
+  DEFAULT_FALSE as wl,
+  deselect as xl,
+  each as ln,
+  edit as rn,
+  exposeBy as la,
+  falseColor as Ml,
+  fine as ra,
+  forth as Sl,
+  frameSelection as Cl,
+  go as $l,
+  goHome as Ll,
+  goInside as Pl,
+  goPreset as Tl,
+  handles as ia,
+  hands as El,
+  here as Vl,
+  highlight as Al,
+  history as sa,
+  lampMarks as ua,
+  lamps as ft,
+  listing as ca,
+  lookOnly as pa,
+  looks as Il,
+  panels as ma,
+  PRESETS as ql,
+  register as Rl,
+  say as Ze,
+  scene as Fl,
+  selection as va,
+  send as Hl,
+  sheet as Qe,
+  show as an,
+  soloSelection as Nl,
+  spot as Ye,
   startTool as ke,
-  stepSelection as ua,
-  storeLook as El,
-  storeView as Vl,
-  theme as ca,
-  things as pa,
-  titleOf as ga,
-  toggleFalse as Al,
-  toggleWipe as Il,
-  travel as ma,
-  views as Rl,
-  walking as tn,
+  stepSelection as da,
+  storeLook as Dl,
+  storeView as Ol,
+  theme as ha,
+  things as ga,
+  titleOf as ya,
+  toggleFalse as Wl,
+  toggleWipe as Gl,
+  travel as fa,
+  views as Kl,
+  walking as on,
   whyNot as Q
 } from "./desk.js";
 
+// src/later/differ.ts
+var ct = (e) => ({
+  quantity: "difference",
+  against: e,
+  low: -500,
+  high: 500,
+  scale: "linear",
+  palette: "diverging",
+  lines: !1
+});
+function Qn(e) {
+  let t = Math.min(1e6, Math.max(0.01, e.high));
+  return { ...e, low: -t, high: t, scale: "linear" };
+}
+
+// src/later/most.ts
+import { signal as nl } from "./desk.js";
+var $e = nl(1);
+
 // src/later/tools.ts
 import {
-  add as Ce,
-  adding as Xo,
-  chosenLamps as jn,
-  cross as Qo,
-  distance as Yo,
-  dot as Xt,
-  edit as it,
-  effect as Zo,
-  free as Yn,
-  grids as zn,
-  lamps as $e,
-  meters as Xn,
-  normal as Qt,
-  onTool as Jo,
-  positionOf as el,
-  say as st,
+  add as Le,
+  adding as al,
+  chosenLamps as Yn,
+  cross as ol,
+  distance as ll,
+  dot as Yt,
+  edit as pt,
+  effect as rl,
+  free as ta,
+  grids as Zn,
+  lamps as Pe,
+  meters as Jn,
+  normal as Zt,
+  onTool as il,
+  positionOf as sl,
+  say as mt,
   scale as ce,
-  select as tl,
-  step as Yt,
-  sub as ut,
-  titleOf as ct,
+  select as ul,
+  step as Jt,
+  sub as dt,
+  titleOf as ht,
   tool as ye,
-  up as Zn
+  up as na
 } from "./desk.js";
-var Ke = null;
-Zo(() => {
-  ye.value !== "grid" && (Ke = null);
+var Ue = null;
+rl(() => {
+  ye.value !== "grid" && (Ue = null);
 });
-function nl(e) {
-  if (!e) return st("There is nothing at that point.", "warn");
+function cl(e) {
+  if (!e) return mt("There is nothing at that point.", "warn");
   switch (ye.peek()) {
     case "aim":
-      Be(jn.peek(), e.point), ye.value = null;
+      _e(Yn.peek(), e.point), ye.value = null;
       break;
     case "place":
-      al(jn.peek(), e), ye.value = null;
+      pl(Yn.peek(), e), ye.value = null;
       break;
     case "meter":
-      Ue(e.point, e.normal), ye.value = null;
+      je(e.point, e.normal), ye.value = null;
       break;
     case "grid":
-      if (!Ke) {
-        Ke = e;
+      if (!Ue) {
+        Ue = e;
         return;
       }
-      ol(Ke.point, e.point), Ke = null, ye.value = null;
+      ml(Ue.point, e.point), Ue = null, ye.value = null;
       break;
     case "add":
-      ll(Xo.peek(), e), ye.value = null;
+      dl(al.peek(), e), ye.value = null;
       break;
   }
 }
-Jo(nl);
-function Be(e, t) {
+il(cl);
+function _e(e, t) {
   let n = {};
   for (let a of e) {
-    let o = $e.get(a)?.place;
-    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Qt(ut(t, o.position)) } });
+    let o = Pe.get(a)?.place;
+    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Zt(dt(t, o.position)) } });
   }
-  if (!Object.keys(n).length) return st("What is selected shines into all directions: it cannot be aimed.", "warn");
-  it(`Aim ${ct(e)}`, { lamps: n });
+  if (!Object.keys(n).length) return mt("What is selected shines into all directions: it cannot be aimed.", "warn");
+  pt(`Aim ${ht(e)}`, { lamps: n });
 }
-function Zt(e, t) {
+function en(e, t) {
   let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
     let r = o.filter((l) => !n.has(l));
-    r.length && (tl(t, r[r.length - 1]), queueMicrotask(() => a()));
+    r.length && (ul(t, r[r.length - 1]), queueMicrotask(() => a()));
   });
   setTimeout(() => a(), 3e3);
 }
-function al(e, t) {
-  let n = je(e), a = n.get(e[e.length - 1]);
-  if (!a) return st("What is selected has no place.", "warn");
-  let o = ($e.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
-  it(`Put ${ct(e)} on a surface`, _e(e, ut(Ce(t.point, ce(t.normal, o)), a), n));
+function pl(e, t) {
+  let n = Xe(e), a = n.get(e[e.length - 1]);
+  if (!a) return mt("What is selected has no place.", "warn");
+  let o = (Pe.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
+  pt(`Put ${ht(e)} on a surface`, ze(e, dt(Le(t.point, ce(t.normal, o)), a), n));
 }
-function Ue(e, t) {
-  let n = Yn(Xn);
-  Zt(Xn, "meter"), it("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+function je(e, t) {
+  let n = ta(Jn);
+  en(Jn, "meter"), pt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function Jt(e) {
+function tn(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-function ol(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let a = Zn.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Qt(Qo(a, o)), l = ut(t, e), [i, u] = [Xt(l, o), Xt(l, r)];
-  if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return st("An area needs two corners that lie apart.", "warn");
-  let s = Ce(e, Ce(ce(o, Math.min(i, 0)), ce(r, Math.min(u, 0))));
+function ml(e, t, n = { lux: 500, uniformity: 0.6 }) {
+  let a = na.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Zt(ol(a, o)), l = dt(t, e), [i, u] = [Yt(l, o), Yt(l, r)];
+  if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return mt("An area needs two corners that lie apart.", "warn");
+  let s = Le(e, Le(ce(o, Math.min(i, 0)), ce(r, Math.min(u, 0))));
   [i, u] = [Math.abs(i), Math.abs(u)];
-  let p = (g) => Math.max(1, Math.ceil(g / Jt(Math.max(i, u)))), c = Yn(zn);
-  Zt(zn, "grid"), it("Lay a grid", {
+  let m = (b) => Math.max(1, Math.ceil(b / tn(Math.max(i, u)))), p = ta(Zn);
+  en(Zn, "grid"), pt("Lay a grid", {
     grids: {
-      [c]: {
-        name: `Area ${c + 1}`,
+      [p]: {
+        name: `Area ${p + 1}`,
         corner: s,
         u: ce(o, i),
         v: ce(r, u),
         normal: a,
-        columns: p(i),
-        rows: p(u),
+        columns: m(i),
+        rows: m(u),
         target: n
       }
     }
   });
 }
-var Qn = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function ll(e, t) {
-  let n = Zn.peek(), a = Xt(t.normal, n), o = a > 0.7 ? Ce(t.point, ce(n, 1.2)) : Ce(t.point, ce(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, l = { position: o };
+var ea = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function dl(e, t) {
+  let n = na.peek(), a = Yt(t.normal, n), o = a > 0.7 ? Le(t.point, ce(n, 1.2)) : Le(t.point, ce(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, l = { position: o };
   e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
-  let i = $e.all().filter(([, u]) => u.own).length;
-  Zt($e, "lamp"), Yt(`Add ${Qn[e]?.toLowerCase() ?? e} lamp`, {
+  let i = Pe.all().filter(([, u]) => u.own).length;
+  en(Pe, "lamp"), Jt(`Add ${ea[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${Qn[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
+    lamp: { name: `${ea[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
   });
 }
-function pt(e, t, n) {
-  !e.length || t < 1 || Yt(`Copy ${ct(e)}`, { do: "copy", lamps: e, count: t, step: n });
+function gt(e, t, n) {
+  !e.length || t < 1 || Jt(`Copy ${ht(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function Jn(e) {
-  e.length && Yt(`Remove ${ct(e)}`, { do: "remove", lamps: e });
+function aa(e) {
+  e.length && Jt(`Remove ${ht(e)}`, { do: "remove", lamps: e });
 }
-function _e(e, t, n) {
+function ze(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = $e.get(o)?.place, l = n.get(o);
+    let r = Pe.get(o)?.place, l = n.get(o);
     if (!l) continue;
-    let i = Ce(l, t), u = r?.aim && Yo(r.aim, i) > 1e-6 ? { direction: Qt(ut(r.aim, i)) } : {};
+    let i = Le(l, t), u = r?.aim && ll(r.aim, i) > 1e-6 ? { direction: Zt(dt(r.aim, i)) } : {};
     a[o] = { place: { position: i, ...u } };
   }
   return { lamps: a };
 }
-function je(e) {
+function Xe(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = $e.get(n), o = a && el(a);
+    let a = Pe.get(n), o = a && sl(a);
     o && t.set(n, o);
   }
   return t;
 }
 
 // src/later/actions.ts
-var ae = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
-function ql() {
-  let e = pe.peek(), t = !e.some((n) => dt.get(n)?.on);
-  an(`${ga(e)} ${t ? "on" : "off"}`, { lamps: nn(e, { on: t }) });
+var oe = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
+function Bl() {
+  let e = pe.peek(), t = !e.some((n) => ft.get(n)?.on);
+  rn(`${ya(e)} ${t ? "on" : "off"}`, { lamps: ln(e, { on: t }) });
 }
-function Fl() {
-  let e = pe.peek(), t = !e.every((n) => dt.get(n)?.parked);
-  an(`${t ? "Park" : "Unpark"} ${ga(e)}`, { lamps: nn(e, { parked: t }) });
+function Ul() {
+  let e = pe.peek(), t = !e.every((n) => ft.get(n)?.parked);
+  rn(`${t ? "Park" : "Unpark"} ${ya(e)}`, { lamps: ln(e, { parked: t }) });
 }
-function da(e) {
-  let t = ha.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : pa.ids.peek().filter((a) => pa.get(a)?.hidden);
-  if (!n.length) return mt(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  an(e ? "Hide things" : "Show hidden things", { things: nn(n, { hidden: e }) });
+function ba(e) {
+  let t = va.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : ga.ids.peek().filter((a) => ga.get(a)?.hidden);
+  if (!n.length) return Ze(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  rn(e ? "Hide things" : "Show hidden things", { things: ln(n, { hidden: e }) });
 }
-function Hl() {
-  let e = pe.peek()[0], t = dt.get(e)?.place, n = xl();
-  if (!t?.position || !t.direction || !n) return mt("Select a lamp that has a direction.", "warn");
+function _l() {
+  let e = pe.peek()[0], t = ft.get(e)?.place, n = Vl();
+  if (!t?.position || !t.direction || !n) return Ze("Select a lamp that has a direction.", "warn");
   let { position: a, direction: o } = t;
-  fl({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+  $l({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function Nl() {
-  sl("command", {}, (e) => {
-    ml(e.text);
+function jl() {
+  fl("command", {}, (e) => {
+    kl(e.text);
   });
 }
-var Ol = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Dl = {
+var zl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Xl = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Wl = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: bl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: vl },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: yl },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ul },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: gl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Vl, why: Q },
-  ...Sl.map((e, t) => ({
+}, Ql = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: Cl },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: Ll },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: Pl },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: bl },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: Sl },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Ol, why: Q },
+  ...ql.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Dl[e],
+    label: Xl[e],
     keys: `Shift+${t + 1}`,
-    run: () => kl(e)
+    run: () => Tl(e)
   })),
   {
     id: "walking",
@@ -250,111 +271,120 @@ var Ol = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      tn.value = tn.peek() === "walk" ? "fly" : "walk", mt(tn.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      on.value = on.peek() === "walk" ? "fly" : "walk", Ze(on.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Hl, why: ae },
-  { id: "next", group: "Select", label: "Next", keys: "]", run: () => ua(1) },
-  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ua(-1) },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: _l, why: oe },
+  { id: "next", group: "Select", label: "Next", keys: "]", run: () => da(1) },
+  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => da(-1) },
   { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => ke("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => ha.value = { kind: "lamp", ids: dt.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: dl },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ql, why: ae },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Tl, why: () => pe.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: cl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => Ml(!0), why: ae },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Fl, why: ae },
-  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => ke("aim"), why: ae },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Xe.peek() && Be(pe.peek(), Xe.peek().point), why: ae },
-  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => ke("place"), why: ae },
-  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => aa.value = "move" },
-  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => aa.value = "turn" },
-  ...Ol.map(([e, t]) => ({
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => va.value = { kind: "lamp", ids: ft.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: xl },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Bl, why: oe },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Nl, why: () => pe.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: vl },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => Al(!0), why: oe },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Ul, why: oe },
+  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => ke("aim"), why: oe },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Ye.peek() && _e(pe.peek(), Ye.peek().point), why: oe },
+  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => ke("place"), why: oe },
+  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => ia.value = "move" },
+  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => ia.value = "turn" },
+  ...zl.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
     why: Q,
     run: () => {
-      rl.value = e, ke("add");
+      hl.value = e, ke("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => pt(pe.peek(), 1, [0.5, 0, 0]), why: ae },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Jn(pe.peek()), why: ae },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => da(!0), why: Q },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => da(!1), why: Q },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => en({ do: "undo" }), why: () => Q() ?? (oa.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => en({ do: "redo" }), why: () => Q() ?? (oa.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => ze.value = "save", why: Q },
-  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => ze.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Nl },
-  { id: "share", group: "Work", label: "Share by link", run: () => ze.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Al },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => gt(pe.peek(), 1, [0.5, 0, 0]), why: oe },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => aa(pe.peek()), why: oe },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => ba(!0), why: Q },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => ba(!1), why: Q },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => nn({ do: "undo" }), why: () => Q() ?? (sa.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => nn({ do: "redo" }), why: () => Q() ?? (sa.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => Qe.value = "save", why: Q },
+  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => Qe.value = "picture" },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: jl },
+  { id: "share", group: "Work", label: "Share by link", run: () => Qe.value = "share" },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Wl },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = hl();
-      Pl({ false_color: { ...il(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = Ml();
+      e.against != null ? an({ false_color: wl }) : an({ false_color: { ...gl(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
-  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => ta(1) },
-  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => ta(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Ll({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => pl(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Il },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Xe.peek() ? Ue(Xe.peek().point, Xe.peek().normal) : ke("meter") },
+  {
+    id: "difference",
+    group: "Seeing",
+    label: "Difference in lux to the look stored last",
+    run: () => {
+      let e = Il.ids.peek().at(-1);
+      e === void 0 ? Ze("Store a look first.") : an({ false_color: ct(e) });
+    }
+  },
+  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => la(1) },
+  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => la(-1) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Hl({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => yl(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Gl },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Ye.peek() ? je(Ye.peek().point, Ye.peek().normal) : ke("meter") },
   { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => ke("meter"), why: Q },
   { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => ke("grid"), why: Q },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => en({ do: "reach" }), why: Q },
-  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => ea.value = ea.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: El, why: Q },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => mt("Press J, then the digit of the look.") },
-  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => sa.value = !sa.peek() },
-  { id: "listing", group: "Page", label: "Faders or sheet", run: () => ra.value = ra.peek() === "faders" ? "sheet" : "faders" },
-  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => ma.value = ma.peek() === "square" ? "linear" : "square" },
-  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => la.value = !la.peek() },
-  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => na.value = !na.peek() },
-  { id: "theme", group: "Page", label: "Light or dark", run: () => ca.value = ca.peek() === "dark" ? "light" : "dark" },
-  { id: "lock", group: "Page", label: "Look-only lock", run: () => ia.value = !ia.peek() },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => nn({ do: "reach", most: $e.peek() }), why: Q },
+  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => oa.value = oa.peek() === "lx" ? "fc" : "lx" },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Dl, why: Q },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => Ze("Press J, then the digit of the look.") },
+  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => ma.value = !ma.peek() },
+  { id: "listing", group: "Page", label: "Faders or sheet", run: () => ca.value = ca.peek() === "faders" ? "sheet" : "faders" },
+  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => fa.value = fa.peek() === "square" ? "linear" : "square" },
+  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => ua.value = !ua.peek() },
+  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => ra.value = !ra.peek() },
+  { id: "theme", group: "Page", label: "Light or dark", run: () => ha.value = ha.peek() === "dark" ? "light" : "dark" },
+  { id: "lock", group: "Page", label: "Look-only lock", run: () => pa.value = !pa.peek() },
   ...["default", "blender", "maya", "trackpad"].map((e) => ({
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => wl.value = e
+    run: () => El.value = e
   })),
-  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => ze.value = "help" },
-  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => ze.value = "palette" }
+  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => Qe.value = "help" },
+  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => Qe.value = "palette" }
 ];
-Cl(Wl);
-function ht() {
-  return [...($l.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Rl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+Rl(Ql);
+function bt() {
+  return [...(Fl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Kl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/compare.tsx
-import { before as Gl, comparing as Kl, digits as Bl, fitted as Ul, useEffect as _l, useRef as jl, viewSize as zl, wipeAt as on } from "./desk.js";
-import { Fragment as Ql, jsx as ln, jsxs as Yl } from "./desk.js";
-function Xl() {
-  let e = Kl.value, t = Gl.value, n = jl(null);
-  if (_l(() => {
+import { before as Yl, comparing as Zl, digits as Jl, fitted as er, useEffect as tr, useRef as nr, viewSize as ar, wipeAt as sn } from "./desk.js";
+import { Fragment as lr, jsx as un, jsxs as rr } from "./desk.js";
+function or() {
+  let e = Zl.value, t = Yl.value, n = nr(null);
+  if (tr(() => {
     let s = n.current;
     !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = zl.value, o = on.value, r = Ul(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
-    let p = s.currentTarget;
-    if (s.stopPropagation(), s.type === "pointerdown") p.setPointerCapture(s.pointerId);
-    else if (p.hasPointerCapture(s.pointerId)) {
-      let c = p.parentElement.getBoundingClientRect();
-      on.value = Math.max(0, Math.min(1, (s.clientX - c.left) / c.width));
+  let [a] = ar.value, o = sn.value, r = er(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
+    let m = s.currentTarget;
+    if (s.stopPropagation(), s.type === "pointerdown") m.setPointerCapture(s.pointerId);
+    else if (m.hasPointerCapture(s.pointerId)) {
+      let p = m.parentElement.getBoundingClientRect();
+      sn.value = Math.max(0, Math.min(1, (s.clientX - p.left) / p.width));
     }
   }, u = (s) => {
-    let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
-    p && (s.stopPropagation(), s.preventDefault(), on.value = Math.max(0, Math.min(1, o + p)));
+    let m = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
+    m && (s.stopPropagation(), s.preventDefault(), sn.value = Math.max(0, Math.min(1, o + m)));
   };
-  return Yl(Ql, { children: [
-    ln(
+  return rr(lr, { children: [
+    un(
       "canvas",
       {
         ref: n,
@@ -363,8 +393,8 @@ function Xl() {
         style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
       }
     ),
-    ln("span", { class: "tag left", children: "before" }),
-    e === "wipe" && ln(
+    un("span", { class: "tag left", children: "before" }),
+    e === "wipe" && un(
       "div",
       {
         class: "wipe",
@@ -375,7 +405,7 @@ function Xl() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${Bl(o * 100)} % before`,
+        "aria-valuetext": `${Jl(o * 100)} % before`,
         style: { left: `${100 * o}%` },
         onPointerDown: i,
         onPointerMove: i,
@@ -387,167 +417,167 @@ function Xl() {
 
 // src/later/handles.tsx
 import {
-  add as wa,
-  chosenLamps as rr,
-  computed as un,
-  editor as ir,
-  effect as sr,
-  fitted as ur,
-  Gesture as cr,
-  handles as pr,
-  lamps as bt,
-  lookOnly as mr,
-  middle as dr,
-  nameOf as hr,
-  normal as gr,
-  pinhole as br,
-  positionOf as Ma,
-  role as fr,
-  selection as vr,
-  shown as yr,
-  sub as kr,
-  things as ft,
-  titleOf as wr,
-  tool as xr,
-  turn as xa,
-  useEffect as Mr,
-  useRef as Sr,
-  viewSize as Cr
+  add as Ca,
+  chosenLamps as gr,
+  computed as mn,
+  editor as fr,
+  effect as br,
+  fitted as vr,
+  Gesture as yr,
+  handles as kr,
+  lamps as yt,
+  lookOnly as wr,
+  middle as xr,
+  nameOf as Mr,
+  normal as Sr,
+  pinhole as Cr,
+  positionOf as La,
+  role as $r,
+  selection as Lr,
+  shown as Pr,
+  sub as Tr,
+  things as kt,
+  titleOf as Er,
+  tool as Vr,
+  turn as $a,
+  useEffect as Ar,
+  useRef as Ir,
+  viewSize as qr
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as ba, ray as Zl } from "./desk.js";
-import { across as Jl, add as oe, cross as er, distance as tr, dot as me, length as nr, normal as rn, scale as le, sub as Le } from "./desk.js";
-var ar = "http://www.w3.org/2000/svg", sn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], gt = ["x", "y", "z"], fa = 0.1, or = 5 * Math.PI / 180, va = 48;
-function ka(e, t) {
-  let n = (d, b, k) => {
-    let w = document.createElementNS(ar, d);
-    return w.setAttribute("class", k), b.append(w), w;
-  }, a = (d, b, k) => {
-    let w = n("g", e, `handle ${d} ${gt[b] ?? ""}`);
+import { project as ka, ray as ir } from "./desk.js";
+import { across as sr, add as le, cross as ur, distance as cr, dot as me, length as pr, normal as cn, scale as re, sub as Te } from "./desk.js";
+var mr = "http://www.w3.org/2000/svg", pn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], vt = ["x", "y", "z"], wa = 0.1, dr = 5 * Math.PI / 180, xa = 48;
+function Sa(e, t) {
+  let n = (d, f, k) => {
+    let w = document.createElementNS(mr, d);
+    return w.setAttribute("class", k), f.append(w), w;
+  }, a = (d, f, k) => {
+    let w = n("g", e, `handle ${d} ${vt[f] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = we.map((d, b) => a("ring", b, `ring-${gt[b]}`)), l = we.map((d, b) => a("plane", b, `plane-${gt[b]}`)), i = we.map((d, b) => a("arrow", b, `move-${gt[b]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), p = n("text", e, "handle-text"), c = (d, b) => {
-    let [k, w, T] = ba(d.hole, b);
+  }, o = n("path", e, "aim-line"), r = we.map((d, f) => a("ring", f, `ring-${vt[f]}`)), l = we.map((d, f) => a("plane", f, `plane-${vt[f]}`)), i = we.map((d, f) => a("arrow", f, `move-${vt[f]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), m = n("text", e, "handle-text"), p = (d, f) => {
+    let [k, w, T] = ka(d.hole, f);
     return T < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
-  }, g = (d, b) => {
-    let k = ba(d.hole, b)[2];
-    return sn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
-  }, m = (d, b, k = !1) => {
-    let w = b.filter((C) => C !== null), T = w.length < b.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
+  }, b = (d, f) => {
+    let k = ka(d.hole, f)[2];
+    return pn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
+  }, c = (d, f, k = !1) => {
+    let w = f.filter((C) => C !== null), T = w.length < f.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
     d.setAttribute("d", T);
-  }, v = (d, b, k) => {
-    d.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
-  }, y = (d, b) => d.forEach((k) => k.group.classList.toggle("gone", !b));
-  function V(d, b) {
-    let k = d.position, w = c(b, k), T = g(b, k), C = d.mode === "move";
-    y([...i, ...l, u], C && w !== null), y(r, !C && w !== null && d.turns);
-    let j = d.aim ?? (d.direction ? oe(k, le(d.direction, 3 * T)) : null);
-    if (y([s], j !== null && w !== null), !w) {
+  }, g = (d, f, k) => {
+    d.setAttribute("d", f ? `M${f[0] - k} ${f[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
+  }, v = (d, f) => d.forEach((k) => k.group.classList.toggle("gone", !f));
+  function V(d, f) {
+    let k = d.position, w = p(f, k), T = b(f, k), C = d.mode === "move";
+    v([...i, ...l, u], C && w !== null), v(r, !C && w !== null && d.turns);
+    let z = d.aim ?? (d.direction ? le(k, re(d.direction, 3 * T)) : null);
+    if (v([s], z !== null && w !== null), !w) {
       o.setAttribute("d", "");
       return;
     }
-    we.forEach((D, U) => {
-      let R = c(b, oe(k, le(D, T))), ot = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
-      if (i[U].group.classList.toggle("gone", !C || ot), R && C) {
-        let [ve, We] = [(R[0] - w[0]) / sn, (R[1] - w[1]) / sn], rt = Math.hypot(ve, We) || 1, [ue, Ge] = [ve / rt, We / rt], zt = [w[0] + 14 * ue, w[1] + 14 * Ge];
-        m(i[U].hit, [zt, R]), i[U].seen.setAttribute("d", `M${zt[0].toFixed(1)} ${zt[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ue - 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge + 4.5 * ue).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ue + 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge - 4.5 * ue).toFixed(1)}`);
+    we.forEach((O, U) => {
+      let q = p(f, le(k, re(O, T))), it = q ? Math.hypot(q[0] - w[0], q[1] - w[1]) < 12 : !0;
+      if (i[U].group.classList.toggle("gone", !C || it), q && C) {
+        let [ve, Ke] = [(q[0] - w[0]) / pn, (q[1] - w[1]) / pn], ut = Math.hypot(ve, Ke) || 1, [ue, Be] = [ve / ut, Ke / ut], Qt = [w[0] + 14 * ue, w[1] + 14 * Be];
+        c(i[U].hit, [Qt, q]), i[U].seen.setAttribute("d", `M${Qt[0].toFixed(1)} ${Qt[1].toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}M${(q[0] - 9 * ue - 4.5 * Be).toFixed(1)} ${(q[1] - 9 * Be + 4.5 * ue).toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}L${(q[0] - 9 * ue + 4.5 * Be).toFixed(1)} ${(q[1] - 9 * Be - 4.5 * ue).toFixed(1)}`);
       }
-      let [Oe, De] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(D, b.hole.parallel ? b.hole.forward : rn(Le(k, b.hole.eye)))) < 0.15;
+      let [We, Ge] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, f.hole.parallel ? f.hole.forward : cn(Te(k, f.hole.eye)))) < 0.15;
       l[U].group.classList.toggle("gone", !C || Z);
-      let lt = (ve, We) => c(b, oe(k, oe(le(Oe, ve * T), le(De, We * T)))), _n = [lt(0.3, 0.3), lt(0.5, 0.3), lt(0.5, 0.5), lt(0.3, 0.5)];
-      if (m(l[U].hit, _n, !0), m(l[U].seen, _n, !0), !C) {
-        let ve = Array.from({ length: va + 1 }, (We, rt) => {
-          let ue = 2 * Math.PI * rt / va;
-          return c(b, oe(k, oe(le(Oe, Math.cos(ue) * T), le(De, Math.sin(ue) * T))));
+      let st = (ve, Ke) => p(f, le(k, le(re(We, ve * T), re(Ge, Ke * T)))), Xn = [st(0.3, 0.3), st(0.5, 0.3), st(0.5, 0.5), st(0.3, 0.5)];
+      if (c(l[U].hit, Xn, !0), c(l[U].seen, Xn, !0), !C) {
+        let ve = Array.from({ length: xa + 1 }, (Ke, ut) => {
+          let ue = 2 * Math.PI * ut / xa;
+          return p(f, le(k, le(re(We, Math.cos(ue) * T), re(Ge, Math.sin(ue) * T))));
         });
-        m(r[U].hit, ve), m(r[U].seen, ve);
+        c(r[U].hit, ve), c(r[U].seen, ve);
       }
-    }), v(u.hit, w, 13), v(u.seen, w, 7);
-    let I = j && c(b, j);
-    m(o, [w, I]), v(s.hit, I, 16), s.seen.setAttribute("d", I ? `M${I[0] - 8} ${I[1]}h16M${I[0]} ${I[1] - 8}v16M${I[0] - 5} ${I[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+    }), g(u.hit, w, 13), g(u.seen, w, 7);
+    let I = z && p(f, z);
+    c(o, [w, I]), g(s.hit, I, 16), s.seen.setAttribute("d", I ? `M${I[0] - 8} ${I[1]}h16M${I[0]} ${I[1] - 8}v16M${I[0] - 5} ${I[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let B = t.effect(() => {
-    let d = t.target.value, b = t.view.value;
-    e.classList.toggle("empty", !d || !b), d && b && V(d, b);
-  }), Kn = (d, b, k) => Zl(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
-  function Ne(d, b, k) {
+    let d = t.target.value, f = t.view.value;
+    e.classList.toggle("empty", !d || !f), d && f && V(d, f);
+  }), _n = (d, f, k) => ir(d.hole, (f.clientX - k.left - d.fit.x) / d.fit.scale, (f.clientY - k.top - d.fit.y) / d.fit.scale);
+  function Oe(d, f, k) {
     d.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
       w.preventDefault(), w.stopPropagation();
       let T = t.view.peek();
       if (!T || !t.target.peek()) return;
-      let C = e.getBoundingClientRect(), j = k(T), I = t.hold(b), D = Kn(T, w, C);
-      j(D, !1, { ...I, move: () => {
+      let C = e.getBoundingClientRect(), z = k(T), I = t.hold(f), O = _n(T, w, C);
+      z(O, !1, { ...I, move: () => {
       }, turn: () => {
       }, rotate: () => {
       } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
       let U = (Z) => {
-        p.textContent = j(Kn(T, Z, C), Z.ctrlKey || Z.metaKey, I), p.setAttribute("x", String(Z.clientX - C.left + 16)), p.setAttribute("y", String(Z.clientY - C.top - 12));
-      }, R = (Z) => {
-        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", ot), d.removeEventListener("pointercancel", Oe), removeEventListener("keydown", De, !0), d.classList.remove("held"), p.textContent = "", Z ? I.end() : I.cancel();
-      }, ot = () => R(!0), Oe = () => R(!1), De = (Z) => {
-        Z.key === "Escape" && (Z.stopPropagation(), R(!1));
+        m.textContent = z(_n(T, Z, C), Z.ctrlKey || Z.metaKey, I), m.setAttribute("x", String(Z.clientX - C.left + 16)), m.setAttribute("y", String(Z.clientY - C.top - 12));
+      }, q = (Z) => {
+        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", it), d.removeEventListener("pointercancel", We), removeEventListener("keydown", Ge, !0), d.classList.remove("held"), m.textContent = "", Z ? I.end() : I.cancel();
+      }, it = () => q(!0), We = () => q(!1), Ge = (Z) => {
+        Z.key === "Escape" && (Z.stopPropagation(), q(!1));
       };
-      d.addEventListener("pointermove", U), d.addEventListener("pointerup", ot), d.addEventListener("pointercancel", Oe), addEventListener("keydown", De, !0);
+      d.addEventListener("pointermove", U), d.addEventListener("pointerup", it), d.addEventListener("pointercancel", We), addEventListener("keydown", Ge, !0);
     });
   }
-  let _t = (d, b, k) => k ? Math.round(d / b) * b : d, jt = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
-  we.forEach((d, b) => {
-    Ne(i[b].group, "move", () => {
+  let zt = (d, f, k) => k ? Math.round(d / f) * f : d, Xt = (d) => d.map((f) => f.toFixed(2)).join("  ") + " m";
+  we.forEach((d, f) => {
+    Oe(i[f].group, "move", () => {
       let k = t.target.peek().position, w = null;
-      return (T, C, j) => {
-        let I = lr(k, d, T);
+      return (T, C, z) => {
+        let I = hr(k, d, T);
         w ??= I;
-        let D = le(d, _t(I - w, fa, C));
-        return j.move(D), jt(D);
+        let O = re(d, zt(I - w, wa, C));
+        return z.move(O), Xt(O);
       };
-    }), Ne(l[b].group, "move", () => Bn(d)), Ne(r[b].group, "turn", () => {
+    }), Oe(l[f].group, "move", () => jn(d)), Oe(r[f].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
-      return (T, C, j) => {
-        let I = ya(k.position, d, T), D = I && rn(Le(I, k.position), Jl(d));
-        if (!D) return "";
-        w.at ??= D;
-        let U = Math.atan2(me(d, er(w.at, D)), me(w.at, D)), R = _t(U, or, C);
-        return j.rotate(d, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
+      return (T, C, z) => {
+        let I = Ma(k.position, d, T), O = I && cn(Te(I, k.position), sr(d));
+        if (!O) return "";
+        w.at ??= O;
+        let U = Math.atan2(me(d, ur(w.at, O)), me(w.at, O)), q = zt(U, dr, C);
+        return z.rotate(d, q), `${(q * 180 / Math.PI).toFixed(1)}°`;
       };
     });
-  }), Ne(u.group, "move", (d) => Bn(d.hole.forward)), Ne(s.group, "aim", (d) => {
-    let b = t.target.peek(), k = b.aim ?? oe(b.position, le(b.direction, 3 * g(d, b.position))), w = Un(k, d.hole.forward);
-    return (T, C, j) => {
-      let I = w(T, C), D = oe(k, I);
-      return tr(D, b.position) > 1e-3 && j.turn(rn(Le(D, b.position)), D), jt(D);
+  }), Oe(u.group, "move", (d) => jn(d.hole.forward)), Oe(s.group, "aim", (d) => {
+    let f = t.target.peek(), k = f.aim ?? le(f.position, re(f.direction, 3 * b(d, f.position))), w = zn(k, d.hole.forward);
+    return (T, C, z) => {
+      let I = w(T, C), O = le(k, I);
+      return cr(O, f.position) > 1e-3 && z.turn(cn(Te(O, f.position)), O), Xt(O);
     };
   });
-  function Bn(d) {
-    let b = Un(t.target.peek().position, d);
+  function jn(d) {
+    let f = zn(t.target.peek().position, d);
     return (k, w, T) => {
-      let C = b(k, w);
-      return T.move(C), jt(C);
+      let C = f(k, w);
+      return T.move(C), Xt(C);
     };
   }
-  function Un(d, b) {
+  function zn(d, f) {
     let k = null;
     return (w, T) => {
-      let C = ya(d, b, w);
-      return C ? (k ??= C, Le(C, k).map((j) => _t(j, fa, T))) : [0, 0, 0];
+      let C = Ma(d, f, w);
+      return C ? (k ??= C, Te(C, k).map((z) => zt(z, wa, T))) : [0, 0, 0];
     };
   }
   return { stop: B };
 }
-function lr(e, t, n) {
-  let a = Le(e, n.origin), o = me(t, n.direction), r = 1 - o * o;
+function hr(e, t, n) {
+  let a = Te(e, n.origin), o = me(t, n.direction), r = 1 - o * o;
   return r < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / r;
 }
-function ya(e, t, n) {
+function Ma(e, t, n) {
   let a = me(t, n.direction);
-  if (Math.abs(a) < 1e-4 * nr(t)) return null;
-  let o = me(Le(e, n.origin), t) / a;
-  return o < 0 || o > 1e6 ? null : oe(n.origin, le(n.direction, o));
+  if (Math.abs(a) < 1e-4 * pr(t)) return null;
+  let o = me(Te(e, n.origin), t) / a;
+  return o < 0 || o > 1e6 ? null : le(n.origin, re(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as Ar } from "./desk.js";
-function $r([e, t, n, a], [o, r, l, i]) {
+import { jsx as Wr } from "./desk.js";
+function Rr([e, t, n, a], [o, r, l, i]) {
   return [
     a * o + e * i + t * l - n * r,
     a * r - e * l + t * i + n * o,
@@ -555,92 +585,92 @@ function $r([e, t, n, a], [o, r, l, i]) {
     a * i - e * o - t * r - n * l
   ];
 }
-var Lr = () => !mr.value && fr.value !== "watch" && ir.value.you && xr.value !== "aim", Sa = un(() => {
-  let e = vr.value;
-  if (!e || !Lr()) return null;
+var Fr = () => !wr.value && $r.value !== "watch" && fr.value.you && Vr.value !== "aim", Pa = mn(() => {
+  let e = Lr.value;
+  if (!e || !Fr()) return null;
   if (e.kind === "thing") {
-    let n = e.ids.filter((a) => ft.get(a) && !ft.get(a)?.locked);
+    let n = e.ids.filter((a) => kt.get(a) && !kt.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = rr.value.filter((n) => Ma(bt.get(n)));
+  let t = gr.value.filter((n) => La(yt.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
-}), Ca = (e) => {
-  let t = ft.get(e);
-  return t?.place?.position ?? (t?.box ? dr(t.box) : null);
-}, Pr = un(() => {
-  let e = Sa.value;
+}), Ta = (e) => {
+  let t = kt.get(e);
+  return t?.place?.position ?? (t?.box ? xr(t.box) : null);
+}, Hr = mn(() => {
+  let e = Pa.value;
   if (!e) return null;
-  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Ma(bt.get(t)) : Ca(t);
+  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? La(yt.get(t)) : Ta(t);
   if (!n) return null;
-  let a = e.kind === "lamps" ? bt.get(t)?.place : null;
+  let a = e.kind === "lamps" ? yt.get(t)?.place : null;
   return {
     position: n,
     direction: a?.direction ?? null,
     aim: a?.aim ?? null,
     turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: pr.value
+    mode: kr.value
   };
-}), Tr = un(() => {
-  let e = yr.value;
-  if (Cr.value, !e) return null;
+}), Nr = mn(() => {
+  let e = Pr.value;
+  if (qr.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: br(e.camera, t, n), fit: ur(t, n) };
-}), Er = {
-  effect: sr,
-  target: Pr,
-  view: Tr,
+  return { hole: Cr(e.camera, t, n), fit: vr(t, n) };
+}), Dr = {
+  effect: br,
+  target: Hr,
+  view: Nr,
   hold(e) {
-    let t = Sa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? wr(n) : n.length === 1 ? hr("thing", n[0]) : `${n.length} things`, r = new cr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? je(n) : new Map(n.map((s) => [s, Ca(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? bt : ft).get(s)?.place])), u = (s) => {
-      let p = n.map((c) => [c, s(c)]).filter(([, c]) => c);
-      r.set({ [a]: Object.fromEntries(p.map(([c, g]) => [c, { place: g }])) });
+    let t = Pa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? Er(n) : n.length === 1 ? Mr("thing", n[0]) : `${n.length} things`, r = new yr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? Xe(n) : new Map(n.map((s) => [s, Ta(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? yt : kt).get(s)?.place])), u = (s) => {
+      let m = n.map((p) => [p, s(p)]).filter(([, p]) => p);
+      r.set({ [a]: Object.fromEntries(m.map(([p, b]) => [p, { place: b }])) });
     };
     return {
-      move: (s) => a === "lamps" ? r.set(_e(n, s, l)) : u((p) => ({ position: wa(l.get(p), s) })),
-      turn: (s, p) => u((c) => i.get(c)?.direction ? { direction: s, ...p ? { aim: p } : {} } : null),
-      rotate: (s, p) => u((c) => {
-        let g = i.get(c);
-        if (g?.direction) {
-          let y = gr(xa(g.direction, s, p)), V = g.aim && g.position ? xa(kr(g.aim, g.position), s, p) : null;
-          return { direction: y, ...V ? { aim: wa(g.position, V) } : {} };
+      move: (s) => a === "lamps" ? r.set(ze(n, s, l)) : u((m) => ({ position: Ca(l.get(m), s) })),
+      turn: (s, m) => u((p) => i.get(p)?.direction ? { direction: s, ...m ? { aim: m } : {} } : null),
+      rotate: (s, m) => u((p) => {
+        let b = i.get(p);
+        if (b?.direction) {
+          let v = Sr($a(b.direction, s, m)), V = b.aim && b.position ? $a(Tr(b.aim, b.position), s, m) : null;
+          return { direction: v, ...V ? { aim: Ca(b.position, V) } : {} };
         }
-        let m = Math.sin(p / 2), v = [s[0] * m, s[1] * m, s[2] * m, Math.cos(p / 2)];
-        return { rotation: $r(v, g?.rotation ?? [0, 0, 0, 1]) };
+        let c = Math.sin(m / 2), g = [s[0] * c, s[1] * c, s[2] * c, Math.cos(m / 2)];
+        return { rotation: Rr(g, b?.rotation ?? [0, 0, 0, 1]) };
       }),
       end: () => r.end(),
       cancel: () => r.cancel()
     };
   }
 };
-function Vr() {
-  let e = Sr(null);
-  return Mr(() => ka(e.current, Er).stop, []), Ar("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Or() {
+  let e = Ir(null);
+  return Ar(() => Sa(e.current, Dr).stop, []), Wr("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/inspector.tsx
-import { act as fo, deselect as qi, Icon as Pn, penless as Tn, selection as Fi, signal as Hi } from "./desk.js";
+import { act as wo, deselect as Bi, Icon as Vn, penless as An, selection as Ui, signal as _i } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  deselect as Pa,
-  digits as Ee,
-  edit as yt,
-  grids as Nr,
-  Icon as Ta,
-  length as Ve,
-  luxText as Ae,
-  maintenance as cn,
-  meters as Or,
-  selection as Ea
+  deselect as Aa,
+  digits as Ae,
+  edit as xt,
+  grids as jr,
+  Icon as Ia,
+  length as Ie,
+  luxText as qe,
+  maintenance as dn,
+  meters as zr,
+  selection as qa
 } from "./desk.js";
 
 // src/later/parts.tsx
-import { Field as $a, Gesture as Ir, Range as Rr, stroke as qr, useRef as Fr } from "./desk.js";
-import { jsx as re, jsxs as vt } from "./desk.js";
-function q({ title: e, note: t, children: n }) {
-  return vt("section", { class: "part", "aria-label": e, children: [
-    vt("h3", { children: [
+import { Field as Ea, Gesture as Gr, Range as Kr, stroke as Br, useRef as Ur } from "./desk.js";
+import { jsx as ie, jsxs as wt } from "./desk.js";
+function R({ title: e, note: t, children: n }) {
+  return wt("section", { class: "part", "aria-label": e, children: [
+    wt("h3", { children: [
       e,
-      t && re("small", { title: t, children: t })
+      t && ie("small", { title: t, children: t })
     ] }),
     n
   ] });
@@ -649,40 +679,40 @@ function G(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
 function A(e) {
-  return vt("label", { class: "line", children: [
-    re("span", { children: e.label }),
-    re($a, { ...e, label: e.name ?? e.label })
+  return wt("label", { class: "line", children: [
+    ie("span", { children: e.label }),
+    ie(Ea, { ...e, label: e.name ?? e.label })
   ] });
 }
-function Hr(e, t) {
+function _r(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
 function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
   let i = t ?? ["X", "Y", "Z"];
-  return vt("div", { class: "line", role: "group", "aria-label": e, children: [
-    re("span", { children: e }),
-    re("span", { class: "triple", children: i.map((u, s) => re(
-      $a,
+  return wt("div", { class: "line", role: "group", "aria-label": e, children: [
+    ie("span", { children: e }),
+    ie("span", { class: "triple", children: i.map((u, s) => ie(
+      Ea,
       {
         label: `${e} ${u}`,
         quantity: n,
         value: a[s],
-        text: Hr(a[s], n),
+        text: _r(a[s], n),
         step: r,
         disabled: l,
-        set: (p) => o(s, p)
+        set: (m) => o(s, m)
       },
       u
     )) })
   ] });
 }
-function Pe({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
-  let p = Fr(null), c = (m) => () => {
-    p.current?.[m](), p.current = null;
-  }, g = (m) => p.current ? p.current.set(o(m)) : qr(e + t, t, o(m));
-  return re(
-    Rr,
+function Ee({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
+  let m = Ur(null), p = (c) => () => {
+    m.current?.[c](), m.current = null;
+  }, b = (c) => m.current ? m.current.set(o(c)) : Br(e + t, t, o(c));
+  return ie(
+    Kr,
     {
       label: e,
       value: n,
@@ -691,16 +721,16 @@ function Pe({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l
       class: i,
       gradient: u,
       disabled: s,
-      begin: () => p.current = new Ir(t),
-      on: g,
-      end: c("end"),
-      cancel: c("cancel"),
-      reset: r === void 0 ? void 0 : () => g(r)
+      begin: () => m.current = new Gr(t),
+      on: b,
+      end: p("end"),
+      cancel: p("cancel"),
+      reset: r === void 0 ? void 0 : () => b(r)
     }
   );
 }
-function Te({ value: e, label: t, set: n }) {
-  return re("span", { class: "field name-field", children: re(
+function Ve({ value: e, label: t, set: n }) {
+  return ie("span", { class: "field name-field", children: ie(
     "input",
     {
       type: "text",
@@ -718,80 +748,80 @@ function Te({ value: e, label: t, set: n }) {
     }
   ) });
 }
-var ie = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
+var se = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
-import { Fragment as pn, jsx as P, jsxs as _ } from "./desk.js";
-var Dr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
-function Va() {
-  let e = Ea.value?.ids[0], t = Or.get(e);
+import { Fragment as hn, jsx as P, jsxs as _ } from "./desk.js";
+var Xr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+function Ra() {
+  let e = qa.value?.ids[0], t = zr.get(e);
   if (!t) return P("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
     let { lux: r, ...l } = { ...t, ...o };
-    yt(`${t.name}: ${a}`, { meters: { [e]: l } });
+    xt(`${t.name}: ${a}`, { meters: { [e]: l } });
   };
-  return _(pn, { children: [
-    P("header", { class: "panel-head", children: P(Te, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    P("p", { class: "crumbs", children: t.lux?.[1] != null ? `${Ae(t.lux[0] * cn.value)} ±${Ae(t.lux[1] * cn.value, !1)}` : "measuring" }),
-    P("div", { class: "scroll", children: _(q, { title: "Meter", children: [
+  return _(hn, { children: [
+    P("header", { class: "panel-head", children: P(Ve, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
+    P("p", { class: "crumbs", children: t.lux?.[1] != null ? `${qe(t.lux[0] * dn.value)} ±${qe(t.lux[1] * dn.value, !1)}` : "measuring" }),
+    P("div", { class: "scroll", children: _(R, { title: "Meter", children: [
       _("label", { class: "line", children: [
         P("span", { children: "Measures" }),
-        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Dr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
+        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Xr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
       ] }),
-      P(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: ie(t.point, a, o) }) }),
+      P(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: se(t.point, a, o) }) }),
       P(A, { label: "Shall read", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
-      P(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: ie(t.normal, a, o) }) }),
+      P(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: se(t.normal, a, o) }) }),
       _("button", { class: "plain full", onClick: () => {
-        Pa(), yt(`Remove ${t.name}`, { meters: { [e]: null } });
+        Aa(), xt(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        P(Ta, { name: "bin" }),
+        P(Ia, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
   ] });
 }
-var La = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
-function Aa() {
-  let e = Ea.value?.ids[0], t = Nr.get(e);
+var Va = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
+function Fa() {
+  let e = qa.value?.ids[0], t = jr.get(e);
   if (!t) return P("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = cn.value, a = (i, u) => {
-    let { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: V } = { ...t, ...u };
-    yt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: p, u: c, v: g, normal: m, columns: v, rows: y, target: V } } });
+  let n = dn.value, a = (i, u) => {
+    let { name: s, corner: m, u: p, v: b, normal: c, columns: g, rows: v, target: V } = { ...t, ...u };
+    xt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: m, u: p, v: b, normal: c, columns: g, rows: v, target: V } } });
   }, o = () => {
-    let i = Jt(Math.max(Ve(t.u), Ve(t.v)));
-    a("standard spacing", { columns: Math.max(1, Math.ceil(Ve(t.u) / i)), rows: Math.max(1, Math.ceil(Ve(t.v) / i)) });
-  }, r = (i, u, s) => _(pn, { children: [
+    let i = tn(Math.max(Ie(t.u), Ie(t.v)));
+    a("standard spacing", { columns: Math.max(1, Math.ceil(Ie(t.u) / i)), rows: Math.max(1, Math.ceil(Ie(t.v) / i)) });
+  }, r = (i, u, s) => _(hn, { children: [
     P("dt", { children: i }),
     P("dd", { children: u == null ? "…" : s(u) })
   ] }), l = t.target ?? { lux: 500, uniformity: 0.6 };
-  return _(pn, { children: [
-    P("header", { class: "panel-head", children: P(Te, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
+  return _(hn, { children: [
+    P("header", { class: "panel-head", children: P(Ve, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
     _("p", { class: "crumbs", children: [
-      Ee(Ve(t.u), 2),
+      Ae(Ie(t.u), 2),
       " × ",
-      Ee(Ve(t.v), 2),
+      Ae(Ie(t.v), 2),
       " m, ",
-      Ee(t.columns * t.rows),
+      Ae(t.columns * t.rows),
       " points"
     ] }),
     _("div", { class: "scroll", children: [
-      P(q, { title: "Figures", note: n === 1 ? "new" : `× ${Ee(n, 2)}`, children: _("dl", { class: "figures", children: [
-        r("Ē", t.mean, (i) => Ae(i * n)),
-        r("E min", t.min, (i) => Ae(i * n)),
-        r("E max", t.max, (i) => Ae(i * n)),
-        r("U₀ = min / mean", t.uniformity, (i) => Ee(i, 2)),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ee(i, 2)),
-        r("± of Ē", t.error, (i) => Ae(i * n))
+      P(R, { title: "Figures", note: n === 1 ? "new" : `× ${Ae(n, 2)}`, children: _("dl", { class: "figures", children: [
+        r("Ē", t.mean, (i) => qe(i * n)),
+        r("E min", t.min, (i) => qe(i * n)),
+        r("E max", t.max, (i) => qe(i * n)),
+        r("U₀ = min / mean", t.uniformity, (i) => Ae(i, 2)),
+        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ae(i, 2)),
+        r("± of Ē", t.error, (i) => qe(i * n))
       ] }) }),
-      _(q, { title: "Target", children: [
+      _(R, { title: "Target", children: [
         _("label", { class: "line", children: [
           P("span", { children: "Class" }),
           _("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
-            let u = La[Number(i.currentTarget.value)];
+            let u = Va[Number(i.currentTarget.value)];
             a("target", { target: u ? { lux: u[1], uniformity: u[2] } : null });
           }, children: [
             P("option", { value: "", children: t.target ? "choose…" : "none" }),
-            La.map(([i, u, s], p) => _("option", { value: p, children: [
+            Va.map(([i, u, s], m) => _("option", { value: m, children: [
               i,
               ": ",
               u,
@@ -804,15 +834,15 @@ function Aa() {
         P(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
         P(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
       ] }),
-      _(q, { title: "Area", children: [
-        P(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: ie(t.corner, i, u) }) }),
+      _(R, { title: "Area", children: [
+        P(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: se(t.corner, i, u) }) }),
         P(A, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
         P(A, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
         P("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: o, children: "Spacing of the standard" }),
         _("button", { class: "plain full", onClick: () => {
-          Pa(), yt(`Remove ${t.name}`, { grids: { [e]: null } });
+          Aa(), xt(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          P(Ta, { name: "bin" }),
+          P(Ia, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -823,57 +853,57 @@ function Aa() {
 // src/later/lamp.tsx
 import {
   act as he,
-  chosenLamps as ei,
-  dot as bn,
-  edit as xt,
-  format as Ka,
-  groups as Mt,
-  handles as kt,
-  Icon as Re,
-  lamps as kn,
-  layers as ti,
-  lumensOf as ni,
-  normal as Ba,
-  output as ai,
-  percent as yn,
-  positionOf as Ha,
-  selection as fn,
-  signal as Ua,
-  spot as oi,
-  sub as Na,
-  titleOf as wn,
-  tool as _a,
-  toLevel as Oa,
-  toTravel as li,
-  typeLevel as vn,
-  up as ri,
-  Fade as ii,
-  Field as si,
-  wantLevel as Da,
-  compass as ja,
-  add as St,
-  scale as qe,
-  length as ui,
-  Range as ci,
-  strokeLevel as Wa,
-  useRef as pi
+  chosenLamps as ui,
+  dot as yn,
+  edit as Ct,
+  format as ja,
+  groups as $t,
+  handles as Mt,
+  Icon as Fe,
+  lamps as Mn,
+  layers as ci,
+  lumensOf as pi,
+  normal as za,
+  output as mi,
+  percent as xn,
+  positionOf as Wa,
+  selection as kn,
+  signal as Xa,
+  spot as di,
+  sub as Ga,
+  titleOf as Sn,
+  tool as Qa,
+  toLevel as Ka,
+  toTravel as hi,
+  typeLevel as wn,
+  up as gi,
+  Fade as fi,
+  Field as bi,
+  wantLevel as Ba,
+  compass as Ya,
+  add as Lt,
+  scale as He,
+  length as vi,
+  Range as yi,
+  strokeLevel as Ua,
+  useRef as ki
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as Br,
-  digits as Ra,
-  edit as Ur,
-  fromHex as _r,
-  hex as jr,
-  lamps as qa,
+  chosenLamps as Jr,
+  digits as Na,
+  edit as ei,
+  fromHex as ti,
+  hex as ni,
+  lamps as Da,
   mired as xe,
-  titleOf as zr
+  titleOf as ai
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Wr, mired as mn } from "./desk.js";
-function Gr(e, t) {
+import { css as Qr, mired as gn } from "./desk.js";
+function Yr(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
@@ -881,47 +911,47 @@ function Gr(e, t) {
     0.0556434 * n - 0.2040259 + 1.0572252 * a
   ].map((r) => Math.max(0, r));
 }
-function Kr(e) {
+function Zr(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
-function Ia(e, t, n = 9) {
+function Ha(e, t, n = 9) {
   return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = mn(e) + (mn(t) - mn(e)) * r / (n - 1);
-    return Wr(Gr(...Kr(1e6 / l)));
+    let l = gn(e) + (gn(t) - gn(e)) * r / (n - 1);
+    return Qr(Yr(...Zr(1e6 / l)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as hn, jsx as N, jsxs as de } from "./desk.js";
-var Qe = 1800, gn = 1e4, Xr = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Qr = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Yr = Ia(Qe, gn), dn = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(qa.get(n).color) }]))
-}), Zr = (e) => {
-  let t = 1e6 / (xe(Qe) + (xe(gn) - xe(Qe)) * e);
+import { Fragment as bn, jsx as N, jsxs as de } from "./desk.js";
+var Je = 1800, vn = 1e4, oi = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], li = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], ri = Ha(Je, vn), fn = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Da.get(n).color) }]))
+}), ii = (e) => {
+  let t = 1e6 / (xe(Je) + (xe(vn) - xe(Je)) * e);
   return Math.round(t / 10) * 10;
-}, Jr = (e) => (xe(e) - xe(Qe)) / (xe(gn) - xe(Qe));
-function Fa() {
-  let e = Br.value, t = e.map((l) => qa.get(l)?.color).filter((l) => l !== void 0);
+}, si = (e) => (xe(e) - xe(Je)) / (xe(vn) - xe(Je));
+function Oa() {
+  let e = Jr.value, t = e.map((l) => Da.get(l)?.color).filter((l) => l !== void 0);
   if (!t.length) return null;
-  let n = G(t.map((l) => l.mode)), a = t[0], o = zr(e), r = (l, i) => Ur(`${o}: ${l}`, dn(e, i));
-  return de(hn, { children: [
+  let n = G(t.map((l) => l.mode)), a = t[0], o = ai(e), r = (l, i) => ei(`${o}: ${l}`, fn(e, i));
+  return de(bn, { children: [
     de("div", { class: "line", children: [
       N("span", { children: "Colour" }),
-      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Qr.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
+      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: li.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
     ] }),
-    n === "kelvin" && de(hn, { children: [
+    n === "kelvin" && de(bn, { children: [
       de("div", { class: "line slide", children: [
         N("span", { children: "White" }),
         N(
-          Pe,
+          Ee,
           {
             label: "Colour temperature",
             name: `${o}: white`,
             class: "mired",
-            style: Yr,
-            value: Jr(a.kelvin),
-            text: `${Ra(a.kelvin)} kelvin`,
-            patch: (l) => dn(e, () => ({ mode: "kelvin", kelvin: Zr(l) }))
+            style: ri,
+            value: si(a.kelvin),
+            text: `${Na(a.kelvin)} kelvin`,
+            patch: (l) => fn(e, () => ({ mode: "kelvin", kelvin: ii(l) }))
           }
         )
       ] }),
@@ -936,29 +966,29 @@ function Fa() {
           set: (l) => r("white", (i) => ({ mode: "kelvin", kelvin: l(i.kelvin) }))
         }
       ),
-      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: Xr.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
+      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: oi.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
       de("div", { class: "line slide", children: [
         N("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         N(
-          Pe,
+          Ee,
           {
             label: "Tint, magenta to green",
             name: `${o}: tint`,
             class: "tints",
             value: (a.tint + 20) / 40,
-            text: `${Ra(a.tint, 1)} thousandths`,
+            text: `${Na(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => dn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (l) => fn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
       N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, l(i.tint))) })) })
     ] }),
-    n === "rgb" && de(hn, { children: [
+    n === "rgb" && de(bn, { children: [
       de("label", { class: "line", children: [
         N("span", { children: "Colour" }),
-        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: jr(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: _r(l.currentTarget.value) })) })
+        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: ni(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: ti(l.currentTarget.value) })) })
       ] }),
       N(
         J,
@@ -968,7 +998,7 @@ function Fa() {
           quantity: "number",
           step: 0.01,
           value: a.rgb,
-          set: (l, i) => r("colour", (u) => ({ rgb: u.rgb.map((s, p) => p === l ? Math.max(0, i(s)) : s) }))
+          set: (l, i) => r("colour", (u) => ({ rgb: u.rgb.map((s, m) => m === l ? Math.max(0, i(s)) : s) }))
         }
       )
     ] }),
@@ -981,7 +1011,7 @@ function Fa() {
           quantity: "number",
           step: 1e-3,
           value: G(t.map((i) => i.xy[l])),
-          set: (i) => r("chromaticity", (u) => ({ xy: u.xy.map((s, p) => p === l ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
+          set: (i) => r("chromaticity", (u) => ({ xy: u.xy.map((s, m) => m === l ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
         },
         l
       )) })
@@ -991,240 +1021,240 @@ function Fa() {
 }
 
 // src/later/lamp.tsx
-import { Fragment as xn, jsx as f, jsxs as O } from "./desk.js";
-var Ie = Ua(1), wt = Ua([1, 0, 0]), mi = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Ct = 180 / Math.PI;
-function Ga(e, t) {
-  let { right: n, ahead: a } = ja(t), o = -bn(e, t);
-  return [Math.atan2(bn(e, n), bn(e, a)) * Ct, Math.asin(Math.max(-1, Math.min(1, o))) * Ct];
+import { Fragment as Cn, jsx as y, jsxs as D } from "./desk.js";
+var Re = Xa(1), St = Xa([1, 0, 0]), wi = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Pt = 180 / Math.PI;
+function _a(e, t) {
+  let { right: n, ahead: a } = Ya(t), o = -yn(e, t);
+  return [Math.atan2(yn(e, n), yn(e, a)) * Pt, Math.asin(Math.max(-1, Math.min(1, o))) * Pt];
 }
-function di(e, t, n) {
-  let { right: a, ahead: o } = ja(n), [r, l] = [e / Ct, t / Ct], i = St(qe(a, Math.sin(r)), qe(o, Math.cos(r)));
-  return Ba(St(qe(i, Math.cos(l)), qe(n, -Math.sin(l))));
+function xi(e, t, n) {
+  let { right: a, ahead: o } = Ya(n), [r, l] = [e / Pt, t / Pt], i = Lt(He(a, Math.sin(r)), He(o, Math.cos(r)));
+  return za(Lt(He(i, Math.cos(l)), He(n, -Math.sin(l))));
 }
-function hi({ ids: e, all: t }) {
+function Mi({ ids: e, all: t }) {
   let n = t.some((a) => a.place?.direction);
-  return O("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    O("button", { "aria-pressed": _a.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
-      f(Re, { name: "aim" }),
+  return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
+    D("button", { "aria-pressed": Qa.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
+      y(Fe, { name: "aim" }),
       "Aim"
     ] }),
-    f("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => he("solo"), children: f(Re, { name: "solo" }) }),
-    f("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => he("from-lamp"), children: f(Re, { name: "eye" }) }),
-    f("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => he("frame"), children: f(Re, { name: "frame" }) }),
-    f("span", { class: "gap" }),
-    f("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => he("park"), children: "Park" }),
-    f("button", { class: "icon", "aria-label": `Remove ${wn(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: f(Re, { name: "bin" }) })
+    y("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => he("solo"), children: y(Fe, { name: "solo" }) }),
+    y("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => he("from-lamp"), children: y(Fe, { name: "eye" }) }),
+    y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => he("frame"), children: y(Fe, { name: "frame" }) }),
+    y("span", { class: "gap" }),
+    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => he("park"), children: "Park" }),
+    y("button", { class: "icon", "aria-label": `Remove ${Sn(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: y(Fe, { name: "bin" }) })
   ] });
 }
-function gi({ ids: e, all: t }) {
-  let n = G(t.map((l) => l.level)), a = ni(e), o = t.every((l) => l.free), r = e[e.length - 1];
-  return O(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
-    O("div", { class: "line slide", children: [
-      f("span", { children: "Level" }),
-      f(bi, { id: r })
+function Si({ ids: e, all: t }) {
+  let n = G(t.map((l) => l.level)), a = pi(e), o = t.every((l) => l.free), r = e[e.length - 1];
+  return D(R, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
+    D("div", { class: "line slide", children: [
+      y("span", { children: "Level" }),
+      y(Ci, { id: r })
     ] }),
-    O("label", { class: "line", children: [
-      f("span", {}),
-      f(
-        si,
+    D("label", { class: "line", children: [
+      y("span", {}),
+      y(
+        bi,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
           flux: G(t.map((l) => l.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => vn(e, l),
-          open: Da.value,
-          opened: () => Da.value = "",
+          set: (l) => wn(e, l),
+          open: Ba.value,
+          opened: () => Ba.value = "",
           id: "level"
         }
       )
     ] }),
-    f(
+    y(
       A,
       {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => vn(e, (i, u) => l(i * u) / u)
+        set: (l) => wn(e, (i, u) => l(i * u) / u)
       }
     ),
-    O("div", { class: "line", children: [
-      f("span", { children: "Stops" }),
-      f("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: mi.map(([l, i]) => f("button", { "aria-label": `${i} stop`, onClick: () => vn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
+    D("div", { class: "line", children: [
+      y("span", { children: "Stops" }),
+      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: wi.map(([l, i]) => y("button", { "aria-label": `${i} stop`, onClick: () => wn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
     ] }),
-    O("p", { class: "sum", children: [
-      Ka(a, "flux"),
+    D("p", { class: "sum", children: [
+      ja(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && (Mt.get(t[0].group)?.level ?? 1) !== 1 && ` (${yn(t[0].level)} % × ${yn(Mt.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && ($t.get(t[0].group)?.level ?? 1) !== 1 && ` (${xn(t[0].level)} % × ${xn($t.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    f(Fa, {})
+    y(Oa, {})
   ] });
 }
-function bi({ id: e }) {
-  let t = pi(null), n = kn.get(e);
+function Ci({ id: e }) {
+  let t = ki(null), n = Mn.get(e);
   if (!n) return null;
   let a = { kind: "lamp", id: e }, o = (r) => () => {
     t.current?.[r](), t.current = null;
   };
-  return f(
-    ci,
+  return y(
+    yi,
     {
       label: "Level",
-      value: li(n.level),
-      text: `${yn(n.level)} %, ${Ka(n.flux * ai(n), "flux")}`,
-      begin: () => t.current = new ii(a),
-      on: (r) => t.current ? t.current.to(Oa(r)) : Wa(a, Oa(r)),
+      value: hi(n.level),
+      text: `${xn(n.level)} %, ${ja(n.flux * mi(n), "flux")}`,
+      begin: () => t.current = new fi(a),
+      on: (r) => t.current ? t.current.to(Ka(r)) : Ua(a, Ka(r)),
       end: o("end"),
       cancel: o("cancel"),
-      reset: () => Wa(a, 1)
+      reset: () => Ua(a, 1)
     }
   );
 }
-function Ye(e, t, n) {
+function et(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = kn.get(o), l = n(r.place ?? {}, r);
+    let r = Mn.get(o), l = n(r.place ?? {}, r);
     l && (a[o] = { place: l });
   }
-  Object.keys(a).length && xt(`${wn(e)}: ${t}`, { lamps: a });
+  Object.keys(a).length && Ct(`${Sn(e)}: ${t}`, { lamps: a });
 }
-function fi({ ids: e, all: t }) {
+function $i({ ids: e, all: t }) {
   let n = (o) => G(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
-  return !a("outer") && !a("radius") ? null : O(q, { title: "Beam", note: "re-trace", children: [
-    a("outer") && O(xn, { children: [
-      f(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Ye(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      f(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Ye(e, "beam", (r) => {
+  return !a("outer") && !a("radius") ? null : D(R, { title: "Beam", note: "re-trace", children: [
+    a("outer") && D(Cn, { children: [
+      y(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => et(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
+      y(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => et(e, "beam", (r) => {
         if (r.outer == null) return null;
         let l = Math.max(0.2, Math.min(179, o(r.outer)));
         return { outer: l, inner: Math.min(r.inner ?? l, l) };
       }) })
     ] }),
-    a("radius") && f(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Ye(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    a("radius") && y(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => et(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
   ] });
 }
-function vi({ ids: e, all: t }) {
-  let n = t.filter((c) => Ha(c) !== null);
+function Li({ ids: e, all: t }) {
+  let n = t.filter((p) => Wa(p) !== null);
   if (!n.length) return null;
-  let a = n.map((c) => Ha(c)), o = (c, g) => G(g.map((m) => Math.round(m[c] * 1e4) / 1e4)), r = t.filter((c) => c.place?.direction), l = ri.value, i = r.map((c) => Ga(c.place?.direction, l).map((g) => Math.round(g * 10) / 10)), u = t.map((c) => c.place?.aim).filter((c) => !!c), s = (c, g) => {
-    let m = je(e), v = {};
-    for (let [y, V] of m) {
+  let a = n.map((p) => Wa(p)), o = (p, b) => G(b.map((c) => Math.round(c[p] * 1e4) / 1e4)), r = t.filter((p) => p.place?.direction), l = gi.value, i = r.map((p) => _a(p.place?.direction, l).map((b) => Math.round(b * 10) / 10)), u = t.map((p) => p.place?.aim).filter((p) => !!p), s = (p, b) => {
+    let c = Xe(e), g = {};
+    for (let [v, V] of c) {
       let B = [0, 0, 0];
-      B[c] = g(V[c]) - V[c], Object.assign(v, _e([y], B, m).lamps);
+      B[p] = b(V[p]) - V[p], Object.assign(g, ze([v], B, c).lamps);
     }
-    xt(`Move ${wn(e)}`, { lamps: v });
-  }, p = (c, g) => Ye(e, c ? "tilt" : "pan", (m) => {
-    if (!m.direction) return null;
-    let v = Ga(m.direction, l);
-    v[c] = g(v[c]);
-    let y = di(v[0], Math.max(-90, Math.min(90, v[1])), l), V = m.aim && m.position ? ui(Na(m.aim, m.position)) : 0;
-    return { direction: y, ...V && m.position ? { aim: St(m.position, qe(y, V)) } : {} };
+    Ct(`Move ${Sn(e)}`, { lamps: g });
+  }, m = (p, b) => et(e, p ? "tilt" : "pan", (c) => {
+    if (!c.direction) return null;
+    let g = _a(c.direction, l);
+    g[p] = b(g[p]);
+    let v = xi(g[0], Math.max(-90, Math.min(90, g[1])), l), V = c.aim && c.position ? vi(Ga(c.aim, c.position)) : 0;
+    return { direction: v, ...V && c.position ? { aim: Lt(c.position, He(v, V)) } : {} };
   });
-  return O(q, { title: "Place", note: "re-trace", children: [
-    f(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: s }),
-    r.length > 0 && O(xn, { children: [
-      f(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((c) => c[0])), set: (c) => p(0, c) }),
-      f(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((c) => c[1])), set: (c) => p(1, c) }),
-      f(
+  return D(R, { title: "Place", note: "re-trace", children: [
+    y(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((p) => o(p, a)), set: s }),
+    r.length > 0 && D(Cn, { children: [
+      y(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((p) => p[0])), set: (p) => m(0, p) }),
+      y(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((p) => p[1])), set: (p) => m(1, p) }),
+      y(
         J,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
-          value: u.length ? [0, 1, 2].map((c) => o(c, u)) : [NaN, NaN, NaN],
-          set: (c, g) => Ye(e, "aim", (m) => {
-            if (!m.direction || !m.position) return null;
-            let v = ie(m.aim ?? St(m.position, qe(m.direction, 2)), c, g);
-            return { aim: v, direction: Ba(Na(v, m.position)) };
+          value: u.length ? [0, 1, 2].map((p) => o(p, u)) : [NaN, NaN, NaN],
+          set: (p, b) => et(e, "aim", (c) => {
+            if (!c.direction || !c.position) return null;
+            let g = se(c.aim ?? Lt(c.position, He(c.direction, 2)), p, b);
+            return { aim: g, direction: za(Ga(g, c.position)) };
           })
         }
       )
     ] }),
-    O("div", { class: "line", children: [
-      f("span", { children: "Handles" }),
-      O("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        f("button", { "aria-pressed": kt.value === "move", onClick: () => kt.value = "move", children: "Move" }),
-        f("button", { "aria-pressed": kt.value === "turn", onClick: () => kt.value = "turn", children: "Turn" })
+    D("div", { class: "line", children: [
+      y("span", { children: "Handles" }),
+      D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
+        y("button", { "aria-pressed": Mt.value === "move", onClick: () => Mt.value = "move", children: "Move" }),
+        y("button", { "aria-pressed": Mt.value === "turn", onClick: () => Mt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    f("button", { class: "plain full", "aria-pressed": _a.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
-    r.length > 0 && oi.value && f("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
+    y("button", { class: "plain full", "aria-pressed": Qa.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
+    r.length > 0 && di.value && y("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function yi({ ids: e, all: t }) {
-  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : O(q, { title: "Copies along a line", children: [
-    f(A, { label: "How many", quantity: "number", step: 1, value: Ie.value, set: (n) => Ie.value = Math.max(1, Math.min(100, Math.round(n(Ie.value)))) }),
-    f(J, { label: "Step", quantity: "length", step: 0.05, value: wt.value, set: (n, a) => wt.value = ie(wt.value, n, a) }),
-    O("button", { class: "plain full", onClick: () => pt(e, Ie.value, wt.value), children: [
-      f(Re, { name: "copy" }),
-      Ie.value === 1 ? "One copy" : `${Ie.value} copies`
+function Pi({ ids: e, all: t }) {
+  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(R, { title: "Copies along a line", children: [
+    y(A, { label: "How many", quantity: "number", step: 1, value: Re.value, set: (n) => Re.value = Math.max(1, Math.min(100, Math.round(n(Re.value)))) }),
+    y(J, { label: "Step", quantity: "length", step: 0.05, value: St.value, set: (n, a) => St.value = se(St.value, n, a) }),
+    D("button", { class: "plain full", onClick: () => gt(e, Re.value, St.value), children: [
+      y(Fe, { name: "copy" }),
+      Re.value === 1 ? "One copy" : `${Re.value} copies`
     ] })
   ] });
 }
-function za() {
-  let e = ei.value, t = e.map((l) => kn.get(l)).filter((l) => !!l);
-  if (!t.length) return f("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && Mt.get(n.group), o = fn.value?.kind === "group" ? Mt.get(fn.value.ids[0]) : void 0, r = n?.layer != null ? ti.value[n.layer] : void 0;
-  return O(xn, { children: [
-    f("header", { class: "panel-head", children: n ? f(Te, { label: "Name of the lamp", value: n.name, set: (l) => xt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? f(Te, { label: "Name of the group", value: o.name, set: (l) => xt(`Rename ${o.name}`, { groups: { [fn.value.ids[0]]: { name: l } } }) }) : O("h2", { children: [
+function Za() {
+  let e = ui.value, t = e.map((l) => Mn.get(l)).filter((l) => !!l);
+  if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
+  let n = t.length === 1 ? t[0] : null, a = n && $t.get(n.group), o = kn.value?.kind === "group" ? $t.get(kn.value.ids[0]) : void 0, r = n?.layer != null ? ci.value[n.layer] : void 0;
+  return D(Cn, { children: [
+    y("header", { class: "panel-head", children: n ? y(Ve, { label: "Name of the lamp", value: n.name, set: (l) => Ct(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? y(Ve, { label: "Name of the group", value: o.name, set: (l) => Ct(`Rename ${o.name}`, { groups: { [kn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    f("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
-    O("div", { class: "scroll", children: [
-      f(hi, { ids: e, all: t }),
-      f(gi, { ids: e, all: t }),
-      f(q, { title: "Photometry", children: f("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      f(fi, { ids: e, all: t }),
-      f(vi, { ids: e, all: t }),
-      f(yi, { ids: e, all: t }),
-      f("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
+    D("div", { class: "scroll", children: [
+      y(Mi, { ids: e, all: t }),
+      y(Si, { ids: e, all: t }),
+      y(R, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      y($i, { ids: e, all: t }),
+      y(Li, { ids: e, all: t }),
+      y(Pi, { ids: e, all: t }),
+      y("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
 
 // src/later/scene.tsx
 import {
-  act as Mn,
-  candles as $t,
-  command as ki,
-  digits as Pt,
-  edit as Xa,
-  Field as wi,
-  filterOf as Ja,
-  go as xi,
-  history as Mi,
-  hovered as Qa,
-  Icon as Tt,
-  layers as Si,
-  lookOnly as Ya,
-  maintenance as Fe,
-  materials as Ci,
-  percent as $i,
-  scene as Li,
-  select as eo,
-  signal as Pi,
-  singleKeys as Za,
-  sub as Ti,
-  things as Ei,
-  travel as Lt,
-  Virtual as to
+  act as $n,
+  candles as Tt,
+  command as Ti,
+  digits as Vt,
+  edit as Ja,
+  Field as Ei,
+  filterOf as ao,
+  go as Vi,
+  history as Ai,
+  hovered as eo,
+  Icon as At,
+  layers as Ii,
+  lookOnly as to,
+  maintenance as Ne,
+  materials as qi,
+  percent as Ri,
+  scene as Fi,
+  select as oo,
+  signal as Hi,
+  singleKeys as no,
+  sub as Ni,
+  things as Di,
+  travel as Et,
+  Virtual as lo
 } from "./desk.js";
-import { Fragment as Vi, jsx as M, jsxs as E } from "./desk.js";
-function no() {
-  let e = Li.value;
+import { Fragment as Oi, jsx as M, jsxs as E } from "./desk.js";
+function ro() {
+  let e = Fi.value;
   if (!e) return null;
-  let t = Ti(e.bounds[1], e.bounds[0]);
-  return E(Vi, { children: [
-    E(q, { title: "Room", children: [
+  let t = Ni(e.bounds[1], e.bounds[0]);
+  return E(Oi, { children: [
+    E(R, { title: "Room", children: [
       E("p", { children: [
-        t.map((n) => Pt(n, 2)).join(" × "),
+        t.map((n) => Vt(n, 2)).join(" × "),
         " m",
-        e.triangles ? `, ${Pt(e.triangles)} triangles` : ""
+        e.triangles ? `, ${Vt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => xi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Vi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
       e.warnings.length > 0 && E("details", { children: [
         E("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
@@ -1233,79 +1263,79 @@ function no() {
         M("ul", { class: "remarks", children: e.warnings.map((n) => M("li", { children: n }, n)) })
       ] })
     ] }),
-    E(q, { title: "Figures", children: [
+    E(R, { title: "Figures", children: [
       E("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
-        M(wi, { label: "Maintenance factor", quantity: "share", value: Fe.value, step: 0.05, set: (n) => Fe.value = Math.max(0.1, Math.min(1, n(Fe.value))) })
+        M(Ei, { label: "Maintenance factor", quantity: "share", value: Ne.value, step: 0.05, set: (n) => Ne.value = Math.max(0.1, Math.min(1, n(Ne.value))) })
       ] }),
       E("p", { class: "quiet", children: [
-        Fe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
-        Fe.value === 1 && M("button", { class: "plain", onClick: () => Fe.value = 0.8, children: "0.80" })
+        Ne.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
+        Ne.value === 1 && M("button", { class: "plain", onClick: () => Ne.value = 0.8, children: "0.80" })
       ] }),
       E("div", { class: "line", children: [
         M("span", { children: "Unit" }),
         E("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
-          M("button", { "aria-pressed": $t.value === "lx", onClick: () => $t.value = "lx", children: "lx, cd/m²" }),
-          M("button", { "aria-pressed": $t.value === "fc", onClick: () => $t.value = "fc", children: "fc, fL" })
+          M("button", { "aria-pressed": Tt.value === "lx", onClick: () => Tt.value = "lx", children: "lx, cd/m²" }),
+          M("button", { "aria-pressed": Tt.value === "fc", onClick: () => Tt.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    M(q, { title: "Layers of light", children: M("ul", { class: "layers", children: Si.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(R, { title: "Layers of light", children: M("ul", { class: "layers", children: Ii.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
       M("span", { children: n.name || `layer ${a + 1}` }),
-      M("small", { children: n.held ? "held" : $i(n.of ? n.batches / n.of : 0) + " %" })
+      M("small", { children: n.held ? "held" : Ri(n.of ? n.batches / n.of : 0) + " %" })
     ] }, a)) }) }),
-    E(q, { title: "Hands", children: [
+    E(R, { title: "Hands", children: [
       E("div", { class: "line", children: [
         M("span", { children: "Faders" }),
         E("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
-          M("button", { "aria-pressed": Lt.value === "square", onClick: () => Lt.value = "square", children: "Square law" }),
-          M("button", { "aria-pressed": Lt.value === "linear", onClick: () => Lt.value = "linear", children: "Even" })
+          M("button", { "aria-pressed": Et.value === "square", onClick: () => Et.value = "square", children: "Square law" }),
+          M("button", { "aria-pressed": Et.value === "linear", onClick: () => Et.value = "linear", children: "Even" })
         ] })
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Za.value, onChange: (n) => Za.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: no.value, onChange: (n) => no.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
       E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Ya.value, onChange: (n) => Ya.value = n.currentTarget.checked }),
+        M("input", { type: "checkbox", checked: to.value, onChange: (n) => to.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var Et = Pi("");
-function ao({ label: e }) {
-  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Et.value, onInput: (t) => Et.value = t.currentTarget.value }) });
+var It = Hi("");
+function io({ label: e }) {
+  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: It.value, onInput: (t) => It.value = t.currentTarget.value }) });
 }
-function oo() {
-  let e = Ja(Ei, Et.value);
+function so() {
+  let e = ao(Di, It.value);
   return E("div", { class: "listing", children: [
-    M(ao, { label: "Filter things" }),
+    M(io, { label: "Filter things" }),
     M(
-      to,
+      lo,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Qa.value = { kind: "thing", id: n }, onPointerLeave: () => Qa.value = null, children: [
-            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Xa(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Tt, { name: a.hidden ? "eye-off" : "eye" }) }),
-            M("button", { class: "row-name", onClick: () => eo("thing", n), children: M("span", { children: a.name }) }),
-            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Xa(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Tt, { name: a.locked ? "lock" : "unlock" }) })
+          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => eo.value = { kind: "thing", id: n }, onPointerLeave: () => eo.value = null, children: [
+            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Ja(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(At, { name: a.hidden ? "eye-off" : "eye" }) }),
+            M("button", { class: "row-name", onClick: () => oo("thing", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Ja(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(At, { name: a.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function lo() {
-  let e = Ja(Ci, Et.value);
+function uo() {
+  let e = ao(qi, It.value);
   return E("div", { class: "listing", children: [
-    M(ao, { label: "Filter materials" }),
+    M(io, { label: "Filter materials" }),
     M(
-      to,
+      lo,
       {
         label: "Materials",
         count: e.length,
@@ -1313,10 +1343,10 @@ function lo() {
         row: (t) => {
           let [n, a] = e[t];
           return E("div", { class: "sheet-row material", role: "listitem", children: [
-            M("button", { class: "row-name", onClick: () => eo("material", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "row-name", onClick: () => oo("material", n), children: M("span", { children: a.name }) }),
             E("small", { children: [
               a.kind,
-              a.reflectance != null ? ` · ρ ${Pt(a.reflectance, 2)}` : ""
+              a.reflectance != null ? ` · ρ ${Vt(a.reflectance, 2)}` : ""
             ] })
           ] }, n);
         }
@@ -1324,70 +1354,70 @@ function lo() {
     )
   ] });
 }
-function ro() {
-  let e = Mi.value;
-  return E(q, { title: "History", children: [
+function co() {
+  let e = Ai.value;
+  return E(R, { title: "History", children: [
     E("p", { children: [
-      e.steps === 1 ? "One step" : `${Pt(e.steps)} steps`,
+      e.steps === 1 ? "One step" : `${Vt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Mn("undo"), children: [
-      M(Tt, { name: "undo" }),
+    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => $n("undo"), children: [
+      M(At, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Mn("redo"), children: [
-      M(Tt, { name: "redo" }),
+    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => $n("redo"), children: [
+      M(At, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    M("button", { class: "plain full", onClick: () => Mn("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => ki({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => $n("save"), children: "Save a version with a name…" }),
+    M("button", { class: "plain full", onClick: () => Ti({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as Sn,
-  edit as co,
-  fromHex as Ai,
-  hex as Ii,
-  Icon as io,
-  materials as po,
-  middle as so,
-  select as mo,
-  selection as ho,
-  things as Cn
+  digits as Ln,
+  edit as go,
+  fromHex as Wi,
+  hex as Gi,
+  Icon as po,
+  materials as fo,
+  middle as mo,
+  select as bo,
+  selection as vo,
+  things as Pn
 } from "./desk.js";
-import { Fragment as Ln, jsx as $, jsxs as z } from "./desk.js";
-var $n = 180 / Math.PI;
-function uo(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * $n : 0;
+import { Fragment as En, jsx as $, jsxs as X } from "./desk.js";
+var Tn = 180 / Math.PI;
+function ho(e, t) {
+  return e ? 2 * Math.atan2(e[t], e[3]) * Tn : 0;
 }
-function Ri(e, t) {
-  let n = [0, 0, 0, Math.cos(t / $n / 2)];
-  return n[e] = Math.sin(t / $n / 2), n;
+function Ki(e, t) {
+  let n = [0, 0, 0, Math.cos(t / Tn / 2)];
+  return n[e] = Math.sin(t / Tn / 2), n;
 }
-function go() {
-  let e = (ho.value?.ids ?? []).filter((u) => Cn.get(u)), t = e.map((u) => Cn.get(u));
+function yo() {
+  let e = (vo.value?.ids ?? []).filter((u) => Pn.get(u)), t = e.map((u) => Pn.get(u));
   if (!t.length) return $("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => co(`${a}: ${u}`, { things: Object.fromEntries(e.map((p, c) => [p, s(t[c])])) }), l = t.map((u) => u.place?.position ?? (u.box ? so(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
-  return z(Ln, { children: [
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => go(`${a}: ${u}`, { things: Object.fromEntries(e.map((m, p) => [m, s(t[p])])) }), l = t.map((u) => u.place?.position ?? (u.box ? mo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
+  return X(En, { children: [
     $("header", { class: "panel-head", children: $("h2", { children: a }) }),
-    i && z("p", { class: "crumbs", children: [
-      i.map((u) => Sn(u, 2)).join(" × "),
+    i && X("p", { class: "crumbs", children: [
+      i.map((u) => Ln(u, 2)).join(" × "),
       " m"
     ] }),
-    z("div", { class: "scroll", children: [
-      z("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        z("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          $(io, { name: n.hidden ? "eye-off" : "eye" }),
+    X("div", { class: "scroll", children: [
+      X("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
+        X("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+          $(po, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        z("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
-          $(io, { name: o ? "lock" : "unlock" }),
+        X("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
+          $(po, { name: o ? "lock" : "unlock" }),
           o ? "Locked" : "Lock"
         ] })
       ] }),
-      z(q, { title: "Place", note: "re-trace", children: [
+      X(R, { title: "Place", note: "re-trace", children: [
         o && $("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
         $(
           J,
@@ -1397,7 +1427,7 @@ function go() {
             step: 0.01,
             disabled: o,
             value: [0, 1, 2].map((u) => G(l.map((s) => Math.round(s[u] * 1e4) / 1e4))),
-            set: (u, s) => r("move", (p) => ({ place: { position: ie(p.place?.position ?? so(p.box), u, s) } }))
+            set: (u, s) => r("move", (m) => ({ place: { position: se(m.place?.position ?? mo(m.box), u, s) } }))
           }
         ),
         [0, 1, 2].map((u) => $(
@@ -1407,8 +1437,8 @@ function go() {
             quantity: "angle",
             step: 5,
             disabled: o,
-            value: G(t.map((s) => Math.round(uo(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (p) => ({ place: { rotation: Ri(u, s(uo(p.place?.rotation, u))) } }))
+            value: G(t.map((s) => Math.round(ho(s.place?.rotation, u) * 10) / 10)),
+            set: (s) => r("turn", (m) => ({ place: { rotation: Ki(u, s(ho(m.place?.rotation, u))) } }))
           },
           u
         )),
@@ -1424,173 +1454,186 @@ function go() {
           }
         )
       ] }),
-      $(q, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => mo("material", u), children: po.get(u)?.name ?? `material ${u}` }) }, u)) }) })
+      $(R, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => bo("material", u), children: fo.get(u)?.name ?? `material ${u}` }) }, u)) }) })
     ] })
   ] });
 }
-function bo() {
-  let e = ho.value?.ids[0], t = po.get(e);
+function ko() {
+  let e = vo.value?.ids[0], t = fo.get(e);
   if (!t) return $("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, p) => co(`${t.name}: ${s}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((p) => Math.max(0, Math.min(1, l > 1e-4 ? p / l * s : s))), u = (s, p) => t[p] != null && z(Ln, { children: [
-    z("div", { class: "line slide", children: [
+  let n = (s, m) => go(`${t.name}: ${s}`, { materials: { [e]: m } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((m) => Math.max(0, Math.min(1, l > 1e-4 ? m / l * s : s))), u = (s, m) => t[m] != null && X(En, { children: [
+    X("div", { class: "line slide", children: [
       $("span", { children: s }),
-      $(Pe, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[p], text: Sn(t[p], 2), patch: (c) => ({ materials: { [e]: { [p]: Math.round(c * 1e3) / 1e3 } } }) })
+      $(Ee, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[m], text: Ln(t[m], 2), patch: (p) => ({ materials: { [e]: { [m]: Math.round(p * 1e3) / 1e3 } } }) })
     ] }),
-    $(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[p], set: (c) => n(s.toLowerCase(), { [p]: Math.max(0, Math.min(1, c(t[p]))) }) })
+    $(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[m], set: (p) => n(s.toLowerCase(), { [m]: Math.max(0, Math.min(1, p(t[m]))) }) })
   ] });
-  return z(Ln, { children: [
+  return X(En, { children: [
     $("header", { class: "panel-head", children: $("h2", { children: t.name }) }),
     $("p", { class: "crumbs", children: t.kind }),
-    z("div", { class: "scroll", children: [
-      z(q, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
-        z("div", { class: "line slide", children: [
+    X("div", { class: "scroll", children: [
+      X(R, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
+        X("div", { class: "line slide", children: [
           $("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          $(Pe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Sn(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+          $(Ee, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Ln(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
         ] }),
         $(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
-        z("label", { class: "line", children: [
+        X("label", { class: "line", children: [
           $("span", { children: "Colour" }),
-          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ii(o), onChange: (s) => n("colour", { [a]: Ai(s.currentTarget.value) }) })
+          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Gi(o), onChange: (s) => n("colour", { [a]: Wi(s.currentTarget.value) }) })
         ] }),
         u("Roughness", "roughness"),
         u("Gloss", "specular")
       ] }),
-      $(q, { title: "On", children: $("ul", { class: "buttons", children: Cn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, p]) => $("li", { children: $("button", { onClick: () => mo("thing", s), children: p.name }) }, s)) }) })
+      $(R, { title: "On", children: $("ul", { class: "buttons", children: Pn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, m]) => $("li", { children: $("button", { onClick: () => bo("thing", s), children: m.name }) }, s)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as vo, jsx as F, jsxs as Vt } from "./desk.js";
-var Ze = ["Scene", "Things", "Materials", "History"], ge = Hi("Scene");
-function Ni() {
-  let e = { Scene: no, Things: oo, Materials: lo, History: ro }[ge.value];
-  return Vt(vo, { children: [
-    F("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
+import { Fragment as xo, jsx as H, jsxs as qt } from "./desk.js";
+var tt = ["Scene", "Things", "Materials", "History"], ge = _i("Scene");
+function ji() {
+  let e = { Scene: ro, Things: so, Materials: uo, History: co }[ge.value];
+  return qt(xo, { children: [
+    H("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
       let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
-      a && (n.preventDefault(), n.stopPropagation(), ge.value = Ze[(Ze.indexOf(ge.value) + a + Ze.length) % Ze.length], document.getElementById(`tab-${ge.value}`)?.focus());
-    }, children: Ze.map((n) => F("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
-    F("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: F(e, {}) })
+      a && (n.preventDefault(), n.stopPropagation(), ge.value = tt[(tt.indexOf(ge.value) + a + tt.length) % tt.length], document.getElementById(`tab-${ge.value}`)?.focus());
+    }, children: tt.map((n) => H("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
+    H("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: H(e, {}) })
   ] });
 }
-function Oi() {
-  let e = Fi.value;
-  return e ? Vt(vo, { children: [
-    Vt("nav", { class: "chooser", "aria-label": "Selection", children: [
-      F("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => fo("previous"), children: F(Pn, { name: "back" }) }),
-      F("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => fo("next"), children: F(Pn, { name: "forth" }) }),
-      F("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
-      F("span", { class: "gap" }),
-      F("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: qi, children: F(Pn, { name: "close" }) })
+function zi() {
+  let e = Ui.value;
+  return e ? qt(xo, { children: [
+    qt("nav", { class: "chooser", "aria-label": "Selection", children: [
+      H("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => wo("previous"), children: H(Vn, { name: "back" }) }),
+      H("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => wo("next"), children: H(Vn, { name: "forth" }) }),
+      H("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
+      H("span", { class: "gap" }),
+      H("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Bi, children: H(Vn, { name: "close" }) })
     ] }),
-    Tn.value && F("p", { class: "penless", children: Tn.value }),
-    Vt("fieldset", { class: "editing", disabled: Tn.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && F(za, {}),
-      e.kind === "thing" && F(go, {}),
-      e.kind === "material" && F(bo, {}),
-      e.kind === "meter" && F(Va, {}),
-      e.kind === "grid" && F(Aa, {})
+    An.value && H("p", { class: "penless", children: An.value }),
+    qt("fieldset", { class: "editing", disabled: An.value !== null, children: [
+      (e.kind === "lamp" || e.kind === "group") && H(Za, {}),
+      e.kind === "thing" && H(yo, {}),
+      e.kind === "material" && H(ko, {}),
+      e.kind === "meter" && H(Ra, {}),
+      e.kind === "grid" && H(Fa, {})
     ] })
-  ] }) : F(Ni, {});
+  ] }) : H(ji, {});
 }
 
 // src/later/legend.tsx
-import { asked as Di, candles as Wi, display as Gi, Field as Ki, show as Bi, three as Ui, useRef as _i } from "./desk.js";
-import { jsx as X, jsxs as At } from "./desk.js";
-var En = [1, 2, 5];
-function ji(e, t, n) {
+import { asked as Xi, candles as Qi, DEFAULT_FALSE as Yi, display as Zi, Field as Ji, looks as es, show as So, three as ts, useRef as ns } from "./desk.js";
+import { Fragment as rs, jsx as j, jsxs as Me } from "./desk.js";
+var In = [1, 2, 5];
+function as(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (En.find((i) => i * r >= o) ?? 10);
+    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (In.find((i) => i * r >= o) ?? 10);
     for (let i = Math.ceil(e / l) * l; i <= t * 1.0001; i += l) a.push(i);
     return a;
   }
   for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of En) {
+    for (let r of In) {
       let l = r * 10 ** o;
       l >= e * 0.999 && l <= t * 1.001 && a.push(l);
     }
   return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
 }
-function zi(e, t) {
+function os(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
-var se = (e, t) => {
-  let n = Di({ ...e, ...t });
-  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Bi({ false_color: n });
+var ne = (e, t) => {
+  let n = Xi({ ...e, ...t });
+  n.against != null && (n = Qn(n)), n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && So({ false_color: n });
 };
-function yo(e, t) {
+function Mo(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
-  return En[a] * 10 ** ((n - a) / 3);
+  return In[a] * 10 ** ((n - a) / 3);
 }
-function Xi() {
-  let e = Gi.value.false_color, t = _i(null);
+function ls() {
+  let e = Zi.value.false_color, t = ns(null);
   if (!e) return null;
-  let n = Wi.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? ji(e.low, e.high, e.scale).map((p) => [p, zi(p, e)]), u = (p) => ({
-    onPointerDown: (c) => {
-      c.currentTarget.setPointerCapture(c.pointerId), t.current = { y: c.clientY, end: p, from: e[p] };
+  let n = Qi.value === "fc", a = e.quantity === "difference", o = e.quantity !== "luminance", r = o ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", l = n ? o ? 1 / 10.7639 : 0.2919 : 1, i = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, u = e.ticks ?? as(e.low, e.high, e.scale).map((c) => [c, os(c, e)]), s = (c) => {
+    let g = String(Number(c.toPrecision(2)));
+    return a ? g.replace("-", "−").replace(/^(?=[1-9]|0\.)/, "+") : g;
+  }, m = (c, g, v) => a ? { high: Mo(Math.abs(g), c === "low" ? -v : v) } : { [c]: Mo(g, v) }, p = (c) => ({
+    onPointerDown: (g) => {
+      g.currentTarget.setPointerCapture(g.pointerId), t.current = { y: g.clientY, end: c, from: e[c] };
     },
-    onPointerMove: (c) => {
-      let g = t.current;
-      g?.end === p && se(e, { [p]: yo(g.from, Math.round((g.y - c.clientY) / 14)) });
+    onPointerMove: (g) => {
+      let v = t.current;
+      v?.end === c && ne(e, m(c, v.from, Math.round((v.y - g.clientY) / 14)));
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
-    onKeyDown: (c) => {
-      let g = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[c.key];
-      g && (c.preventDefault(), c.stopPropagation(), se(e, { [p]: yo(e[p], g) }));
+    onKeyDown: (g) => {
+      let v = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[g.key];
+      v && (g.preventDefault(), g.stopPropagation(), ne(e, m(c, e[c], v)));
     }
-  }), s = ({ end: p }) => At("div", { class: "end", children: [
-    X(
+  }), b = ({ end: c }) => Me("div", { class: "end", children: [
+    j(
       "span",
       {
         class: "grip",
         role: "slider",
         tabIndex: 0,
-        "aria-label": p === "low" ? "Lower end of the legend" : "Upper end of the legend",
-        "aria-valuenow": e[p],
-        "aria-valuemin": 1e-3,
+        "aria-label": c === "low" ? "Lower end of the legend" : "Upper end of the legend",
+        "aria-valuenow": e[c],
+        "aria-valuemin": a ? -1e6 : 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${Ui(e[p] * r)} ${o}`,
-        ...u(p)
+        "aria-valuetext": `${ts(e[c] * l)} ${r}`,
+        ...p(c)
       }
     ),
-    X(
-      Ki,
+    a && c === "low" ? j("output", { children: s(e.low * l) }) : j(
+      Ji,
       {
-        label: p === "low" ? "Lower end" : "Upper end",
+        label: c === "low" ? "Lower end" : "Upper end",
         quantity: "number",
-        value: Number((e[p] * r).toPrecision(3)),
-        set: (c) => se(e, { [p]: c(e[p] * r) / r })
+        value: Number((e[c] * l).toPrecision(3)),
+        set: (g) => ne(e, { [c]: g(e[c] * l) / l })
       }
     )
   ] });
-  return At("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
-    At("header", { children: [
-      X(
+  return Me("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
+    Me("header", { children: [
+      j(
         "button",
         {
-          "aria-label": `${o}: ${a ? "illuminance" : "luminance"}, change`,
-          onClick: () => se(e, { quantity: a ? "luminance" : "illuminance" }),
-          children: o
+          "aria-label": `${r}: ${a ? "difference" : e.quantity}, change`,
+          onClick: () => a ? So({ false_color: Yi }) : ne(e, { quantity: o ? "luminance" : "illuminance" }),
+          children: a ? `Δ ${r}` : r
         }
       ),
-      X("button", { "aria-pressed": e.scale === "log", onClick: () => se(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      X("button", { "aria-pressed": e.lines, onClick: () => se(e, { lines: !e.lines }), children: "lines" })
+      !a && j("button", { "aria-pressed": e.scale === "log", onClick: () => ne(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      j("button", { "aria-pressed": e.lines, onClick: () => ne(e, { lines: !e.lines }), children: "lines" })
     ] }),
-    X(s, { end: "high" }),
-    X("div", { class: "scale", style: { background: l }, children: i.map(([p, c]) => X("span", { style: { bottom: `${100 * c}%` }, children: String(Number((p * r).toPrecision(2))) }, p)) }),
-    X(s, { end: "low" }),
-    At("footer", { children: [
-      X("button", { onClick: () => se(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-      X("button", { onClick: () => se(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
-      X(
+    a && Me("p", { class: "quiet", title: e.exact === !1 ? "Lamps that differ in the look share a layer of light: what is shown of them is their mean." : void 0, children: [
+      e.exact === !1 ? "≈ " : "",
+      "now − ",
+      es.get(e.against)?.name ?? "look"
+    ] }),
+    j(b, { end: "high" }),
+    j("div", { class: "scale", style: { background: i }, children: u.map(([c, g]) => j("span", { style: { bottom: `${100 * g}%` }, children: s(c * l) }, c)) }),
+    j(b, { end: "low" }),
+    Me("footer", { children: [
+      a ? [50, 500].map((c) => Me("button", { onClick: () => ne(e, { high: c }), children: [
+        "±",
+        c
+      ] }, c)) : Me(rs, { children: [
+        j("button", { onClick: () => ne(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+        j("button", { onClick: () => ne(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" })
+      ] }),
+      j(
         "select",
         {
           "aria-label": "Palette",
           value: e.palette,
-          onChange: (p) => se(e, { palette: p.currentTarget.value }),
-          children: e.palettes?.map((p) => X("option", { children: p }, p)) ?? X("option", { children: e.palette })
+          onChange: (c) => ne(e, { palette: c.currentTarget.value }),
+          children: e.palettes?.map((c) => j("option", { children: c }, c)) ?? j("option", { children: e.palette })
         }
       )
     ] })
@@ -1599,93 +1642,93 @@ function Xi() {
 
 // src/later/sheets.tsx
 import {
-  allActions as In,
-  act as Po,
-  ask as ls,
-  command as rs,
-  copyText as is,
-  digits as ss,
-  go as us,
-  hear as cs,
-  lamps as ps,
-  say as Ft,
-  select as ms,
-  send as Rt,
-  sheet as et,
-  shown as ds,
-  signal as tt,
-  useEffect as Rn,
-  useLayoutEffect as hs,
-  useRef as Ht,
-  walkNames as gs,
-  whyNotTo as bs
+  allActions as Fn,
+  act as Io,
+  ask as fs,
+  command as bs,
+  copyText as vs,
+  digits as ys,
+  go as ks,
+  hear as ws,
+  lamps as xs,
+  say as Nt,
+  select as Ms,
+  send as Ft,
+  sheet as at,
+  shown as Ss,
+  signal as ot,
+  useEffect as Hn,
+  useLayoutEffect as Cs,
+  useRef as Dt,
+  walkNames as $s,
+  whyNotTo as Ls
 } from "./desk.js";
 
 // src/later/csv.ts
-import { add as ko, grids as Qi, maintenance as Yi, meters as Zi, scale as wo, scene as xo } from "./desk.js";
-var Ji = (e) => {
+import { add as Co, grids as is, maintenance as ss, meters as us, scale as $o, scene as Lo } from "./desk.js";
+var cs = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function es() {
-  let e = Yi.peek(), t = [["scene", xo.peek()?.name ?? ""], ["maintenance factor", e], []];
+function ps() {
+  let e = ss.peek(), t = [["scene", Lo.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of Zi.all())
+  for (let [, n] of us.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of Qi.all()) {
+  for (let [, n] of is.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
     for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
     t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = ko(n.corner, ko(wo(n.u, (l + 0.5) / n.columns), wo(n.v, (i + 0.5) / n.rows)));
+      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = Co(n.corner, Co($o(n.u, (l + 0.5) / n.columns), $o(n.v, (i + 0.5) / n.rows)));
       t.push([...u.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(Ji).join(",")).join(`\r
+  return t.map((n) => n.map(cs).join(",")).join(`\r
 `) + `\r
 `;
 }
-function Vn(e, t) {
+function qn(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function Mo() {
-  let e = URL.createObjectURL(new Blob([es()], { type: "text/csv" }));
-  Vn(`${xo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function Po() {
+  let e = URL.createObjectURL(new Blob([ps()], { type: "text/csv" }));
+  qn(`${Lo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var $o = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], It = new Uint8Array(512), An = new Uint8Array(256);
+var Vo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Rt = new Uint8Array(512), Rn = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  It[e] = It[e + 255] = t, An[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var So = (e, t) => e && t ? It[An[e] + An[t]] : 0;
-function ts(e, t) {
+  Rt[e] = Rt[e + 255] = t, Rn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var To = (e, t) => e && t ? Rt[Rn[e] + Rn[t]] : 0;
+function ms(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
     let r = new Array(n.length + 1).fill(0);
     n.forEach((l, i) => {
-      r[i] ^= l, r[i + 1] ^= So(l, It[o]);
+      r[i] ^= l, r[i + 1] ^= To(l, Rt[o]);
     }), n = r;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let o = 0; o < e.length; o++) {
     let r = a[o];
-    r && n.forEach((l, i) => a[o + i] ^= So(l, r));
+    r && n.forEach((l, i) => a[o + i] ^= To(l, r));
   }
   return a.slice(e.length);
 }
-function ns(e, t) {
-  let [n, a, o] = $o[t - 1], r = [], l = (g, m) => {
-    for (let v = m - 1; v >= 0; v--) r.push(g >> v & 1);
+function ds(e, t) {
+  let [n, a, o] = Vo[t - 1], r = [], l = (b, c) => {
+    for (let g = c - 1; g >= 0; g--) r.push(b >> g & 1);
   };
-  for (l(4, 4), l(e.length, 8), e.forEach((g) => l(g, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
+  for (l(4, 4), l(e.length, 8), e.forEach((b) => l(b, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
   let i = [];
-  for (let g = 0; g < r.length; g += 8) i.push(parseInt(r.slice(g, g + 8).join(""), 2));
-  for (let g = 236; i.length < n; g ^= 253) i.push(g);
-  let u = n / o, s = Array.from({ length: o }, (g, m) => i.slice(m * u, (m + 1) * u)), p = s.map((g) => ts(g, a)), c = (g) => g[0].flatMap((m, v) => g.map((y) => y[v]));
-  return [...c(s), ...c(p)];
+  for (let b = 0; b < r.length; b += 8) i.push(parseInt(r.slice(b, b + 8).join(""), 2));
+  for (let b = 236; i.length < n; b ^= 253) i.push(b);
+  let u = n / o, s = Array.from({ length: o }, (b, c) => i.slice(c * u, (c + 1) * u)), m = s.map((b) => ms(b, a)), p = (b) => b[0].flatMap((c, g) => b.map((v) => v[g]));
+  return [...p(s), ...p(m)];
 }
-var as = [
+var hs = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1695,22 +1738,22 @@ var as = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function os(e) {
+function gs(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function Co(e) {
+function Eo(e) {
   let t = e.length, n = 0, a = 0;
   for (let o of [!1, !0])
     for (let r = 0; r < t; r++) {
-      let l = Array.from({ length: t }, (s, p) => o ? e[p][r] : e[r][p]), i = 1;
+      let l = Array.from({ length: t }, (s, m) => o ? e[m][r] : e[r][m]), i = 1;
       for (let s = 1; s <= t; s++)
         s < t && l[s] === l[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
       let u = l.map(Number).join("");
       for (let s = 0; s + 11 <= t; s++) {
-        let p = u.slice(s, s + 11);
-        (p === "10111010000" || p === "00001011101") && (n += 40);
+        let m = u.slice(s, s + 11);
+        (m === "10111010000" || m === "00001011101") && (n += 40);
       }
     }
   for (let o = 0; o < t; o++)
@@ -1718,59 +1761,59 @@ function Co(e) {
       e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function Lo(e) {
-  let t = [...new TextEncoder().encode(e)], n = $o.findIndex(([m]) => t.length + 2 <= m) + 1;
+function Ao(e) {
+  let t = [...new TextEncoder().encode(e)], n = Vo.findIndex(([c]) => t.length + 2 <= c) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (m, v, y) => {
-    m < 0 || v < 0 || m >= a || v >= a || (o[v][m] = y, r[v][m] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (c, g, v) => {
+    c < 0 || g < 0 || c >= a || g >= a || (o[g][c] = v, r[g][c] = !0);
   };
-  for (let m = 0; m < a; m++)
-    l(m, 6, m % 2 === 0), l(6, m, m % 2 === 0);
-  for (let [m, v] of [[3, 3], [a - 4, 3], [3, a - 4]])
-    for (let y = -4; y <= 4; y++)
+  for (let c = 0; c < a; c++)
+    l(c, 6, c % 2 === 0), l(6, c, c % 2 === 0);
+  for (let [c, g] of [[3, 3], [a - 4, 3], [3, a - 4]])
+    for (let v = -4; v <= 4; v++)
       for (let V = -4; V <= 4; V++) {
-        let B = Math.max(Math.abs(V), Math.abs(y));
-        l(m + V, v + y, B !== 2 && B !== 4);
+        let B = Math.max(Math.abs(V), Math.abs(v));
+        l(c + V, g + v, B !== 2 && B !== 4);
       }
   if (n > 1) {
-    let m = a - 7;
-    for (let v = -2; v <= 2; v++) for (let y = -2; y <= 2; y++) l(m + y, m + v, Math.max(Math.abs(y), Math.abs(v)) !== 1);
+    let c = a - 7;
+    for (let g = -2; g <= 2; g++) for (let v = -2; v <= 2; v++) l(c + v, c + g, Math.max(Math.abs(v), Math.abs(g)) !== 1);
   }
-  let i = (m) => {
-    let v = os(m);
-    for (let y = 0; y < 15; y++) {
-      let V = (v >> y & 1) === 1, B = y < 6 ? y : y < 8 ? y + 1 : a - 15 + y;
-      l(8, B, V), l(y < 8 ? a - 1 - y : y < 9 ? 7 : 14 - y, 8, V);
+  let i = (c) => {
+    let g = gs(c);
+    for (let v = 0; v < 15; v++) {
+      let V = (g >> v & 1) === 1, B = v < 6 ? v : v < 8 ? v + 1 : a - 15 + v;
+      l(8, B, V), l(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, V);
     }
     l(8, a - 8, !0);
   };
   i(0);
-  let u = ns(t, n), s = 0;
-  for (let m = a - 1; m > 0; m -= 2) {
-    m === 6 && (m = 5);
-    for (let v = 0; v < a; v++)
-      for (let y of [m, m - 1]) {
-        let B = (m + 1 & 2) === 0 ? a - 1 - v : v;
-        r[B][y] || (o[B][y] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+  let u = ds(t, n), s = 0;
+  for (let c = a - 1; c > 0; c -= 2) {
+    c === 6 && (c = 5);
+    for (let g = 0; g < a; g++)
+      for (let v of [c, c - 1]) {
+        let B = (c + 1 & 2) === 0 ? a - 1 - g : g;
+        r[B][v] || (o[B][v] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
       }
   }
-  let p = (m) => (i(m), o.map((v, y) => v.map((V, B) => V !== (!r[y][B] && as[m](B, y))))), c = p(0), g = Co(c);
-  for (let m = 1; m < 8; m++) {
-    let v = p(m), y = Co(v);
-    y < g && ([c, g] = [v, y]);
+  let m = (c) => (i(c), o.map((g, v) => g.map((V, B) => V !== (!r[v][B] && hs[c](B, v))))), p = m(0), b = Eo(p);
+  for (let c = 1; c < 8; c++) {
+    let g = m(c), v = Eo(g);
+    v < b && ([p, b] = [g, v]);
   }
-  return c;
+  return p;
 }
 
 // src/later/sheets.tsx
-import { Fragment as $s, jsx as h, jsxs as L } from "./desk.js";
-function nt({ title: e, wide: t, children: n }) {
-  let a = Ht(null);
-  hs(() => {
+import { Fragment as Hs, jsx as h, jsxs as L } from "./desk.js";
+function lt({ title: e, wide: t, children: n }) {
+  let a = Dt(null);
+  Cs(() => {
     let r = a.current, l = document.activeElement;
     return r.open || r.showModal(), () => l?.focus();
   }, []);
-  let o = () => et.value = null;
+  let o = () => at.value = null;
   return h(
     "dialog",
     {
@@ -1790,7 +1833,7 @@ function nt({ title: e, wide: t, children: n }) {
     }
   );
 }
-var fs = [
+var Ps = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1804,9 +1847,9 @@ var fs = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function vs() {
-  let e = [...new Set(In().map((t) => t.group))];
-  return h(nt, { title: "All keys", wide: !0, children: L("div", { class: "help", children: [
+function Ts() {
+  let e = [...new Set(Fn().map((t) => t.group))];
+  return h(lt, { title: "All keys", wide: !0, children: L("div", { class: "help", children: [
     L("table", { children: [
       h("caption", { class: "spoken", children: "By hand" }),
       h("thead", { children: L("tr", { children: [
@@ -1815,17 +1858,17 @@ function vs() {
         h("th", { scope: "col", children: "Keys, in the view" }),
         h("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      h("tbody", { children: fs.map(([t, n, a, o]) => L("tr", { children: [
+      h("tbody", { children: Ps.map(([t, n, a, o]) => L("tr", { children: [
         h("th", { scope: "row", children: t }),
         h("td", { children: n }),
-        h("td", { children: a.replace("walking keys", gs.value) }),
+        h("td", { children: a.replace("walking keys", $s.value) }),
         h("td", { children: o })
       ] }, t)) })
     ] }),
     L("div", { class: "columns", children: [
       e.map((t) => L("section", { children: [
         h("h3", { children: t }),
-        h("dl", { children: In().filter((n) => n.group === t && n.keys).map((n) => L($s, { children: [
+        h("dl", { children: Fn().filter((n) => n.group === t && n.keys).map((n) => L(Hs, { children: [
           h("dt", { children: n.label }),
           h("dd", { children: h("kbd", { children: n.keys }) })
         ] })) })
@@ -1846,29 +1889,29 @@ function vs() {
     ] })
   ] }) });
 }
-var qt = tt(""), Je = tt(0);
-function ys() {
-  let e = qt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = In().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: bs(a.id), run: () => Po(a.id) }));
-  for (let { name: a, camera: o } of ht())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => us(o, a) });
+var Ht = ot(""), nt = ot(0);
+function Es() {
+  let e = Ht.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = Fn().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: Ls(a.id), run: () => Io(a.id) }));
+  for (let { name: a, camera: o } of bt())
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => ks(o, a) });
   if (e.length)
-    for (let [a, o] of ps.all()) {
+    for (let [a, o] of xs.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => ms("lamp", a) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => Ms("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function ks() {
-  let e = ys(), t = Math.min(Je.value, e.length - 1);
-  Rn(() => {
-    qt.value = "", Je.value = 0;
-  }, []), Rn(() => {
+function Vs() {
+  let e = Es(), t = Math.min(nt.value, e.length - 1);
+  Hn(() => {
+    Ht.value = "", nt.value = 0;
+  }, []), Hn(() => {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
   let n = (a) => {
-    a && (et.value = null, a.why ? Ft(a.why, "warn") : setTimeout(a.run, 0));
+    a && (at.value = null, a.why ? Nt(a.why, "warn") : setTimeout(a.run, 0));
   };
-  return L(nt, { title: "Command palette", children: [
+  return L(lt, { title: "Command palette", children: [
     h(
       "input",
       {
@@ -1882,13 +1925,13 @@ function ks() {
         "aria-autocomplete": "list",
         autofocus: !0,
         placeholder: "What shall be done?",
-        value: qt.value,
+        value: Ht.value,
         onInput: (a) => {
-          qt.value = a.currentTarget.value, Je.value = 0;
+          Ht.value = a.currentTarget.value, nt.value = 0;
         },
         onKeyDown: (a) => {
           let o = { ArrowDown: 1, ArrowUp: -1 }[a.key];
-          o && (a.preventDefault(), Je.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
+          o && (a.preventDefault(), nt.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
         }
       }
     ),
@@ -1901,7 +1944,7 @@ function ks() {
           "aria-selected": o === t,
           "aria-disabled": a.why !== null,
           title: a.why ?? void 0,
-          onPointerMove: () => Je.value = o,
+          onPointerMove: () => nt.value = o,
           onClick: () => n(a),
           children: [
             h("span", { children: a.label }),
@@ -1914,10 +1957,10 @@ function ks() {
     ] })
   ] });
 }
-var To = tt([]);
-cs("links", (e) => To.value = e.links);
-function ws({ text: e }) {
-  let t = Lo(e);
+var qo = ot([]);
+ws("links", (e) => qo.value = e.links);
+function As({ text: e }) {
+  let t = Ao(e);
   if (!t) return null;
   let n = t.length + 8, a = t.map((o, r) => o.map((l, i) => l ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
   return L("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
@@ -1925,37 +1968,37 @@ function ws({ text: e }) {
     h("path", { d: a, fill: "#000" })
   ] });
 }
-function xs() {
-  let e = tt(null), t = Ht(e).current;
-  return Rn(() => {
-    Rt({ do: "links", what: "list" });
-  }, []), L(nt, { title: "Share by link", children: [
+function Is() {
+  let e = ot(null), t = Dt(e).current;
+  return Hn(() => {
+    Ft({ do: "links", what: "list" });
+  }, []), L(lt, { title: "Share by link", children: [
     h("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    h("ul", { class: "links", children: To.value.map((n) => L("li", { children: [
+    h("ul", { class: "links", children: qo.value.map((n) => L("li", { children: [
       h("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
       h("code", { children: n.address }),
       L("span", { class: "buttons", children: [
         h("button", { onClick: () => {
-          is(n.address);
+          vs(n.address);
         }, children: "Copy" }),
         h("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
-        h("button", { onClick: () => Rt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
+        h("button", { onClick: () => Ft({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && h(ws, { text: n.address })
+      t.value === n.id && h(As, { text: n.address })
     ] }, n.id)) }),
     L("footer", { children: [
-      h("button", { onClick: () => Rt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
-      h("button", { onClick: () => Rt({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
+      h("button", { onClick: () => Ft({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
+      h("button", { onClick: () => Ft({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
     ] })
   ] });
 }
-function Ms() {
-  let e = Ht(null), t = () => {
+function qs() {
+  let e = Dt(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    rs({ do: "save", name: n }), et.value = null, Ft(`Saving the version “${n}”.`);
+    bs({ do: "save", name: n }), at.value = null, Nt(`Saving the version “${n}”.`);
   };
-  return L(nt, { title: "Save a version", children: [
+  return L(lt, { title: "Save a version", children: [
     h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
     L("label", { class: "line", children: [
       h("span", { children: "Name" }),
@@ -1964,18 +2007,18 @@ function Ms() {
     h("footer", { children: h("button", { onClick: t, children: "Save" }) })
   ] });
 }
-var ee = tt(null);
-function Ss() {
-  let e = ds.value?.head, t = Ht(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+var ee = ot(null);
+function Rs() {
+  let e = Ss.value?.head, t = Dt(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
     ee.value = 0;
     let [o, r] = [Number(n("width")), Number(n("height"))];
-    ls("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.why ? (ee.value = null, Ft(l.why, "warn")) : l.url ? (ee.value = null, Vn(l.name, l.url), et.value = null) : ee.value = l.progress ?? 0;
+    fs("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
+      l.why ? (ee.value = null, Nt(l.why, "warn")) : l.url ? (ee.value = null, qn(l.name, l.url), at.value = null) : ee.value = l.progress ?? 0;
     }, (l) => {
-      ee.value = null, Ft(l, "warn");
+      ee.value = null, Nt(l, "warn");
     });
   };
-  return L(nt, { title: "Save the picture", children: [
+  return L(lt, { title: "Save the picture", children: [
     L("div", { ref: t, class: "form", children: [
       L("label", { class: "line", children: [
         h("span", { children: "Format" }),
@@ -1999,23 +2042,23 @@ function Ss() {
     ] }),
     ee.value !== null && h("progress", { max: 1, value: ee.value, "aria-label": "Rendering" }),
     L("footer", { children: [
-      h("button", { onClick: () => Po("command"), children: "Copy the command" }),
-      h("button", { disabled: ee.value !== null, onClick: a, children: ee.value === null ? "Render and save" : ee.value ? `${ss(ee.value * 100)} %` : "Rendering…" })
+      h("button", { onClick: () => Io("command"), children: "Copy the command" }),
+      h("button", { disabled: ee.value !== null, onClick: a, children: ee.value === null ? "Render and save" : ee.value ? `${ys(ee.value * 100)} %` : "Rendering…" })
     ] })
   ] });
 }
-function Cs() {
-  switch (et.value) {
+function Fs() {
+  switch (at.value) {
     case "help":
-      return h(vs, {});
+      return h(Ts, {});
     case "palette":
-      return h(ks, {});
+      return h(Vs, {});
     case "share":
-      return h(xs, {});
+      return h(Is, {});
     case "save":
-      return h(Ms, {});
+      return h(qs, {});
     case "picture":
-      return h(Ss, {});
+      return h(Rs, {});
     default:
       return null;
   }
@@ -2023,28 +2066,28 @@ function Cs() {
 
 // src/later/sheetrow.tsx
 import {
-  act as Ls,
-  colorText as Eo,
-  cost as Ps,
-  css as Ts,
-  Field as Es,
-  groups as Vs,
-  hovered as Nt,
-  Icon as As,
-  lamps as Is,
-  lumensOf as Rs,
-  penless as qs,
-  pickRow as Fs,
-  select as Hs,
-  selection as Vo,
-  switchOn as Ns,
-  three as Os,
-  typeGroupLevel as Ds,
-  typeLevel as Ws
+  act as Ns,
+  colorText as Ro,
+  cost as Ds,
+  css as Os,
+  Field as Ws,
+  groups as Gs,
+  hovered as Ot,
+  Icon as Ks,
+  lamps as Bs,
+  lumensOf as Us,
+  penless as _s,
+  pickRow as js,
+  select as zs,
+  selection as Fo,
+  switchOn as Xs,
+  three as Qs,
+  typeGroupLevel as Ys,
+  typeLevel as Zs
 } from "./desk.js";
-import { jsx as Y, jsxs as qn } from "./desk.js";
-function Gs() {
-  return qn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+import { jsx as Y, jsxs as Nn } from "./desk.js";
+function Js() {
+  return Nn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     Y("span", {}),
     Y("span", { children: "Name" }),
     Y("span", { children: "Level" }),
@@ -2052,11 +2095,11 @@ function Gs() {
     Y("span", { children: "White" })
   ] });
 }
-function Ks({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? Is.get(e.id) : void 0, o = e.kind === "group" ? Vs.get(e.id) : void 0, r = a ?? o;
+function eu({ row: e, index: t, count: n }) {
+  let a = e.kind === "lamp" ? Bs.get(e.id) : void 0, o = e.kind === "group" ? Gs.get(e.id) : void 0, r = a ?? o;
   if (!r) return null;
-  let l = Vo.value?.kind === e.kind && Vo.value.ids.includes(e.id), i = Rs(o?.lamps ?? [e.id]), u = qs.value, s = Nt.value?.kind === e.kind && Nt.value.id === e.id;
-  return qn(
+  let l = Fo.value?.kind === e.kind && Fo.value.ids.includes(e.id), i = Us(o?.lamps ?? [e.id]), u = _s.value, s = Ot.value?.kind === e.kind && Ot.value.id === e.id;
+  return Nn(
     "div",
     {
       class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${s ? "under" : ""}`,
@@ -2064,13 +2107,13 @@ function Ks({ row: e, index: t, count: n }) {
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => Nt.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => Nt.value = null,
+      onPointerEnter: () => Ot.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => Ot.value = null,
       children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Ns(e, !r.on), children: Y(As, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ps(a) : void 0, onClick: (p) => Fs(p, e.kind, e.id), onDblClick: () => Ls("frame"), children: Y("span", { children: r.name }) }),
+        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Xs(e, !r.on), children: Y(Ks, { name: "power" }) }),
+        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ds(a) : void 0, onClick: (m) => js(m, e.kind, e.id), onDblClick: () => Ns("frame"), children: Y("span", { children: r.name }) }),
         Y(
-          Es,
+          Ws,
           {
             label: `${r.name} level`,
             quantity: "level",
@@ -2079,13 +2122,13 @@ function Ks({ row: e, index: t, count: n }) {
             step: 0.01,
             disabled: u !== null,
             why: u,
-            set: (p) => a ? Ws([e.id], p) : Ds(e.id, p)
+            set: (m) => a ? Zs([e.id], m) : Ys(e.id, m)
           }
         ),
-        Y("span", { class: "lumens", children: Os(i) }),
-        a ? qn("button", { class: "tint", "aria-label": `${r.name} colour: ${Eo(a)}`, onClick: () => Hs("lamp", e.id), children: [
-          Y("i", { class: "swatch", style: { background: Ts(a.swatch) } }),
-          Eo(a)
+        Y("span", { class: "lumens", children: Qs(i) }),
+        a ? Nn("button", { class: "tint", "aria-label": `${r.name} colour: ${Ro(a)}`, onClick: () => zs("lamp", e.id), children: [
+          Y("i", { class: "swatch", style: { background: Os(a.swatch) } }),
+          Ro(a)
         ] }) : Y("span", {})
       ]
     }
@@ -2094,227 +2137,246 @@ function Ks({ row: e, index: t, count: n }) {
 
 // src/later/strip.tsx
 import {
-  act as Fn,
-  command as Ho,
-  digits as Hn,
-  fade as Ot,
-  Field as Bs,
-  grids as Ao,
-  Icon as He,
-  looks as Io,
-  luxText as be,
-  maintenance as Us,
-  meters as Ro,
-  select as qo,
-  selection as Dt,
-  signal as _s,
-  status as Nn,
-  storeLook as js
+  act as Dn,
+  command as Ko,
+  digits as On,
+  display as tu,
+  fade as Wt,
+  Field as Bo,
+  grids as Ho,
+  Icon as De,
+  looks as No,
+  luxText as fe,
+  maintenance as nu,
+  meters as Do,
+  select as Oo,
+  selection as Gt,
+  show as au,
+  signal as ou,
+  signed as lu,
+  status as Wn,
+  storeLook as ru
 } from "./desk.js";
-import { Fragment as Zs, jsx as x, jsxs as H } from "./desk.js";
-var On = _s("looks");
-function zs() {
-  return H("section", { class: "looks", "aria-label": "Looks", children: [
-    H("header", { children: [
+import { Fragment as pu, jsx as x, jsxs as F } from "./desk.js";
+var Gn = ou("looks");
+function iu() {
+  return F("section", { class: "looks", "aria-label": "Looks", children: [
+    F("header", { children: [
       x("h2", { children: "Looks" }),
-      x("button", { class: "tab", onClick: () => On.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: js, children: x(He, { name: "plus" }) }),
+      x("button", { class: "tab", onClick: () => Gn.value = "meters", children: "Meters" }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: ru, children: x(De, { name: "plus" }) }),
       x("span", { class: "gap" }),
-      H("label", { class: "tint", children: [
+      F("label", { class: "tint", children: [
         "Fade",
-        x(Bs, { label: "Cross-fade", quantity: "seconds", value: Ot.value, step: 0.5, set: (e) => Ot.value = Math.max(0, e(Ot.value)) })
+        x(Bo, { label: "Cross-fade", quantity: "seconds", value: Wt.value, step: 0.5, set: (e) => Wt.value = Math.max(0, e(Wt.value)) })
       ] })
     ] }),
-    H("ul", { children: [
-      Io.all().map(([e, t], n) => H("li", { class: "look", children: [
-        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Ho({ do: "look", id: e, what: "recall", seconds: Ot.peek() }), children: [
-          t.picture && x("img", { src: t.picture, alt: "" }),
-          x("span", { children: t.name })
+    F("ul", { children: [
+      No.all().map(([e, t], n) => F("li", { class: "look", children: [
+        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Ko({ do: "look", id: e, what: "recall", seconds: Wt.peek() }), children: [
+          t.picture && x("img", { src: t.picture, alt: t.name, width: 96, height: 72 }),
+          x("span", { "aria-hidden": t.picture ? "true" : void 0, children: t.name })
         ] }),
-        x(Xs, { id: e, name: t.name })
+        x(su, { id: e, name: t.name })
       ] }, e)),
-      !Io.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !No.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function Xs({ id: e, name: t }) {
-  let n = `look-${e}`, a = (i) => {
-    let u = i.getBoundingClientRect(), s = document.getElementById(n);
-    s?.style.setProperty("left", `${Math.min(u.left, innerWidth - 296)}px`), s?.style.setProperty("bottom", `${innerHeight - u.top + 4}px`), s?.style.setProperty("top", "auto");
-  }, o = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), l = (i, u = {}) => {
-    r(), Ho({ do: "look", id: e, what: i, ...u });
+function su({ id: e, name: t }) {
+  let n = `look-${e}`, a = (u) => {
+    let s = u.getBoundingClientRect(), m = document.getElementById(n);
+    m?.style.setProperty("left", `${Math.min(s.left, innerWidth - 296)}px`), m?.style.setProperty("bottom", `${innerHeight - s.top + 4}px`), m?.style.setProperty("top", "auto");
+  }, o = tu.value.false_color?.against === e, r = { popovertarget: n }, l = () => document.getElementById(n)?.hidePopover(), i = (u, s = {}) => {
+    l(), Ko({ do: "look", id: e, what: u, ...s });
   };
-  return H(Zs, { children: [
-    x("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (i) => a(i.currentTarget), onFocus: (i) => a(i.currentTarget), children: x(He, { name: "more" }) }),
-    H("div", { id: n, popover: "auto", class: "menu", children: [
-      H("label", { class: "line", children: [
+  return F(pu, { children: [
+    x("button", { class: "icon more", ...r, "aria-label": `More of ${t}`, onPointerDown: (u) => a(u.currentTarget), onFocus: (u) => a(u.currentTarget), children: x(De, { name: "more" }) }),
+    F("div", { id: n, popover: "auto", class: "menu", children: [
+      F("label", { class: "line", children: [
         x("span", { children: "Name" }),
-        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (i) => l("rename", { name: i.currentTarget.value }) }) })
+        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (u) => i("rename", { name: u.currentTarget.value }) }) })
       ] }),
-      x("button", { class: "item", onClick: () => l("update"), children: x("span", { children: "Update to what is set now" }) }),
-      x("button", { class: "item", onClick: () => l("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
-      x("button", { class: "item", onClick: () => l("remove"), children: x("span", { children: "Remove" }) })
+      x("button", { class: "item", onClick: () => i("update"), children: x("span", { children: "Update to what is set now" }) }),
+      x("button", { class: "item", onClick: () => i("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
+      x(
+        "button",
+        {
+          class: "item",
+          onClick: () => {
+            l(), au({ false_color: o ? null : ct(e) });
+          },
+          children: x("span", { children: o ? "End the difference" : "Difference to now" })
+        }
+      ),
+      x("button", { class: "item", onClick: () => i("remove"), children: x("span", { children: "Remove" }) })
     ] })
   ] });
 }
-var Fo = () => Nn.value?.stage === "moving" || Nn.value?.stage === "refining" || Nn.value?.stage === "loading";
-function Qs() {
-  let e = Us.value;
-  return H("section", { class: "readings", "aria-label": "Meters and grids", children: [
-    H("header", { children: [
+var Wo = () => Wn.value?.stage === "moving" || Wn.value?.stage === "refining" || Wn.value?.stage === "loading", Go = (e, t) => e == null ? "" : ` · Δ ${lu(e * t)}`;
+function uu() {
+  let e = nu.value;
+  return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
+    F("header", { children: [
       x("h2", { children: "Meters" }),
-      x("button", { class: "tab", onClick: () => On.value = "looks", children: "Looks" }),
-      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Fn("meter-tool"), children: x(He, { name: "meter" }) }),
-      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Fn("grid"), children: x(He, { name: "grid" }) }),
-      x("button", { onClick: () => Fn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
-      x("button", { onClick: Mo, title: "Save all figures as CSV", children: "CSV" }),
+      x("button", { class: "tab", onClick: () => Gn.value = "looks", children: "Looks" }),
+      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Dn("meter-tool"), children: x(De, { name: "meter" }) }),
+      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Dn("grid"), children: x(De, { name: "grid" }) }),
+      x("button", { onClick: () => Dn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
+      F("label", { class: "tint", title: "How high levels may be set, of each lamp's flux", children: [
+        "up to",
+        x(Bo, { label: "Highest level to reach targets", quantity: "level", value: $e.value, step: 0.1, set: (t) => $e.value = Math.min(10, Math.max(1, t($e.value))) })
+      ] }),
+      x("button", { onClick: Po, title: "Save all figures as CSV", children: "CSV" }),
       x("span", { class: "gap" }),
-      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${Hn(e, 2)} maintained` })
+      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${On(e, 2)} maintained` })
     ] }),
-    H("ul", { children: [
-      Ro.all().map(([t, n]) => {
-        let a = n.lux, o = a?.[1] == null || a[1] > 0.02 * a[0] || Fo();
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "meter" && Dt.value.ids.includes(t), onClick: () => qo("meter", t), children: [
-          H("span", { class: "tint", children: [
-            x(He, { name: "meter" }),
+    F("ul", { children: [
+      Do.all().map(([t, n]) => {
+        let a = n.lux, o = a?.[1] == null || a[1] > 0.02 * a[0] || Wo();
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": Gt.value?.kind === "meter" && Gt.value.ids.includes(t), onClick: () => Oo("meter", t), children: [
+          F("span", { class: "tint", children: [
+            x(De, { name: "meter" }),
             n.name
           ] }),
-          x("strong", { class: o ? "unsettled" : "", children: a ? be(a[0] * e) : "…" }),
-          H("small", { children: [
-            a?.[1] != null ? `±${be(a[1] * e, !1)}` : "measuring",
+          x("strong", { class: o ? "unsettled" : "", children: a ? fe(a[0] * e) : "…" }),
+          F("small", { children: [
+            a?.[1] != null ? `±${fe(a[1] * e, !1)}` : "measuring",
             " ",
             n.kind,
-            n.target ? ` · wants ${be(n.target)}` : ""
+            Go(n.change, e),
+            n.target ? ` · wants ${fe(n.target)}` : ""
           ] })
         ] }) }, `m${t}`);
       }),
-      Ao.all().map(([t, n]) => {
-        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.05 * n.mean || Fo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
-        return x("li", { children: H("button", { class: "reading", "aria-pressed": Dt.value?.kind === "grid" && Dt.value.ids.includes(t), onClick: () => qo("grid", t), children: [
-          H("span", { class: "tint", children: [
-            x(He, { name: "grid" }),
+      Ho.all().map(([t, n]) => {
+        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.05 * n.mean || Wo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": Gt.value?.kind === "grid" && Gt.value.ids.includes(t), onClick: () => Oo("grid", t), children: [
+          F("span", { class: "tint", children: [
+            x(De, { name: "grid" }),
             n.name,
             " ",
             a && n.mean != null && x("b", { class: r ? "met" : "missed", children: r ? "✓" : "✗" })
           ] }),
-          x("strong", { class: o ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
-          H("small", { children: [
+          x("strong", { class: o ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${fe(n.mean * e)}${n.error == null ? "" : ` ±${fe(n.error * e, !1)}`}` }),
+          F("small", { children: [
             "U₀ ",
-            n.uniformity == null ? "…" : Hn(n.uniformity, 2),
+            n.uniformity == null ? "…" : On(n.uniformity, 2),
             " · ",
-            n.min == null ? "…" : be(n.min * e, !1),
+            n.min == null ? "…" : fe(n.min * e, !1),
             " to",
             " ",
-            n.max == null ? "…" : be(n.max * e, !1),
-            a ? ` · wants ${be(a.lux)}, U₀ ${Hn(a.uniformity, 2)}` : ""
+            n.max == null ? "…" : fe(n.max * e, !1),
+            Go(n.change, e),
+            a ? ` · wants ${fe(a.lux)}, U₀ ${On(a.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
-      !Ro.ids.value.length && !Ao.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !Do.ids.value.length && !Ho.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Ys() {
-  return H("div", { class: "strip-parts", "data-tab": On.value, children: [
-    x(zs, {}),
-    x(Qs, {})
+function cu() {
+  return F("div", { class: "strip-parts", "data-tab": Gn.value, children: [
+    x(iu, {}),
+    x(uu, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  camera as Do,
-  digits as Wo,
-  display as Js,
-  Field as Gt,
-  go as Go,
-  houseLights as Dn,
-  Item as Me,
-  Range as eu,
-  show as Wn,
-  theme as No,
-  walking as tu
+  camera as jo,
+  digits as zo,
+  display as mu,
+  Field as Bt,
+  go as Xo,
+  houseLights as Kn,
+  Item as Se,
+  Range as du,
+  show as Bn,
+  theme as Uo,
+  walking as hu
 } from "./desk.js";
-import { Fragment as Kt, jsx as S, jsxs as te } from "./desk.js";
-var Wt = Math.PI / 360;
-function Oo(e) {
-  let t = Do.peek();
-  t && Go({ ...t, fov: Math.max(3, Math.min(140, e)) });
+import { Fragment as Ut, jsx as S, jsxs as te } from "./desk.js";
+var Kt = Math.PI / 360;
+function _o(e) {
+  let t = jo.peek();
+  t && Xo({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function nu() {
-  let e = Do.value, t = ht();
-  return te(Kt, { children: [
-    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => S(Me, { id: n }, n)),
+function gu() {
+  let e = jo.value, t = bt();
+  return te(Ut, { children: [
+    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => S(Se, { id: n }, n)),
     S("hr", {}),
-    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => S(Me, { id: `preset-${n}` }, n)),
+    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => S(Se, { id: `preset-${n}` }, n)),
     S("hr", {}),
     t.length > 0 && S("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Go(a, n), children: S("span", { children: n }) }, o)),
+    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Xo(a, n), children: S("span", { children: n }) }, o)),
     t.length > 0 && S("hr", {}),
-    e && !e.height && te(Kt, { children: [
+    e && !e.height && te(Ut, { children: [
       te("label", { class: "line", children: [
         S("span", { children: "Angle" }),
-        S(Gt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Oo(n(e.fov)) })
+        S(Bt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => _o(n(e.fov)) })
       ] }),
       te("label", { class: "line", children: [
         S("span", { children: "Focal length" }),
-        S(Gt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Wt)) / 10, text: `${Wo(12 / Math.tan(e.fov * Wt), 1)} mm`, step: 1, set: (n) => Oo(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Wt)))) / Wt) })
+        S(Bt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Kt)) / 10, text: `${zo(12 / Math.tan(e.fov * Kt), 1)} mm`, step: 1, set: (n) => _o(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Kt)))) / Kt) })
       ] }),
       S("hr", {})
     ] }),
-    S(Me, { id: "walking", label: tu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
-    S(Me, { id: "from-lamp" }),
-    ["default", "blender", "maya", "trackpad"].map((n) => S(Me, { id: `hands-${n}` }, n))
+    S(Se, { id: "walking", label: hu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    S(Se, { id: "from-lamp" }),
+    ["default", "blender", "maya", "trackpad"].map((n) => S(Se, { id: `hands-${n}` }, n))
   ] });
 }
-var au = ["linear", "reinhard", "filmic"];
-function ou() {
-  let e = Js.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return te(Kt, { children: [
+var fu = ["linear", "reinhard", "filmic"];
+function bu() {
+  let e = mu.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+  return te(Ut, { children: [
     te("fieldset", { children: [
       S("legend", { children: "Tone curve" }),
-      S("div", { class: "segments", children: au.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Wn({ tone: n }), children: n }, n)) })
+      S("div", { class: "segments", children: fu.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Bn({ tone: n }), children: n }, n)) })
     ] }),
     te("fieldset", { children: [
       S("legend", { children: "White balance" }),
       te("label", { class: "line", children: [
         S("span", { children: "White" }),
-        S(Gt, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Wn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+        S(Bt, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Bn({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
       te("label", { class: "line", children: [
         S("span", { children: "Tint" }),
-        S(Gt, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Wn({ white: { ...t, tint: n(t.tint) } }) })
+        S(Bt, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Bn({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
     S("hr", {}),
-    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => S(Me, { id: n }, n))
+    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => S(Se, { id: n }, n))
   ] });
 }
-function lu() {
-  return te(Kt, { children: [
+function vu() {
+  return te(Ut, { children: [
     te("label", { class: "line", children: [
       S("span", { children: "House lights" }),
-      S(eu, { label: "House lights", value: Dn.value, text: `${Wo(Dn.value * 100)} %`, on: (e) => Dn.value = Math.max(0.3, e) })
+      S(du, { label: "House lights", value: Kn.value, text: `${zo(Kn.value * 100)} %`, on: (e) => Kn.value = Math.max(0.3, e) })
     ] }),
-    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": No.value === e, onClick: () => No.value = e, children: e }, e)) }),
+    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": Uo.value === e, onClick: () => Uo.value = e, children: e }, e)) }),
     S("hr", {}),
-    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => S(Me, { id: e }, e))
+    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => S(Se, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as Bt, cut as ru, digits as Ko, edit as Bo, go as iu, Icon as at, Range as su, setCut as uu, signal as cu, storeView as pu, viewName as mu, views as du } from "./desk.js";
-import { jsx as W, jsxs as Gn } from "./desk.js";
-var Ut = cu(null);
-function hu() {
-  let e = du.all();
-  return Gn("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Bt("home"), children: W(at, { name: "home" }) }),
-    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Bt("frame"), children: W(at, { name: "frame" }) }),
-    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Bt("back"), children: W(at, { name: "back" }) }),
-    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Bt("forth"), children: W(at, { name: "forth" }) }),
+import { act as _t, cut as yu, digits as Qo, edit as Yo, go as ku, Icon as rt, Range as wu, setCut as xu, signal as Mu, storeView as Su, viewName as Cu, views as $u } from "./desk.js";
+import { jsx as W, jsxs as Un } from "./desk.js";
+var jt = Mu(null);
+function Lu() {
+  let e = $u.all();
+  return Un("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => _t("home"), children: W(rt, { name: "home" }) }),
+    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => _t("frame"), children: W(rt, { name: "frame" }) }),
+    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => _t("back"), children: W(rt, { name: "back" }) }),
+    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => _t("forth"), children: W(rt, { name: "forth" }) }),
     W("span", { class: "divide" }),
-    e.map(([t, n], a) => Ut.value === t ? W("span", { class: "field", children: W(
+    e.map(([t, n], a) => jt.value === t ? W("span", { class: "field", children: W(
       "input",
       {
         type: "text",
@@ -2324,22 +2386,22 @@ function hu() {
         ref: (o) => o?.focus(),
         onBlur: (o) => {
           let r = o.currentTarget.value.trim();
-          Ut.value = null, r && r !== n.name && Bo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+          jt.value = null, r && r !== n.name && Yo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
         },
         onKeyDown: (o) => {
           o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
         }
       }
-    ) }, t) : Gn(
+    ) }, t) : Un(
       "button",
       {
         class: "saved-view",
-        "aria-pressed": mu.value === n.name,
+        "aria-pressed": Cu.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => iu(n, n.name ?? "view"),
-        onDblClick: () => Ut.value = t,
+        onClick: () => ku(n, n.name ?? "view"),
+        onDblClick: () => jt.value = t,
         onKeyDown: (o) => {
-          o.key === "F2" && (Ut.value = t), o.key === "Delete" && (o.stopPropagation(), Bo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+          o.key === "F2" && (jt.value = t), o.key === "Delete" && (o.stopPropagation(), Yo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
           W("small", { children: a + 1 }),
@@ -2349,22 +2411,22 @@ function hu() {
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: pu, children: W(at, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Su, children: W(rt, { name: "plus" }) })
   ] });
 }
-function gu() {
-  let e = ru.value;
+function Pu() {
+  let e = yu.value;
   if (!e) return null;
-  let t = e.height === null ? `${Ko(e.value, 2)} m` : `at ${Ko(e.height, 2)} m`;
-  return Gn("label", { class: "cut", "data-scroll": !0, children: [
+  let t = e.height === null ? `${Qo(e.value, 2)} m` : `at ${Qo(e.height, 2)} m`;
+  return Un("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      su,
+      wu,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => uu(n * e.most)
+        on: (n) => xu(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2372,45 +2434,45 @@ function gu() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as bu, useRef as fu } from "./desk.js";
-import { jsx as Uo } from "./desk.js";
-function vu() {
-  let e = fu(null), t = (n) => {
+import { padWalk as Tu, useRef as Eu } from "./desk.js";
+import { jsx as Zo } from "./desk.js";
+function Vu() {
+  let e = Eu(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
     let r = a.getBoundingClientRect(), l = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), u = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), bu(u, i);
+    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), Tu(u, i);
   };
-  return Uo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Uo("span", { ref: e }) });
+  return Zo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Zo("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as _o,
-  closeWhat as jo,
-  digits as yu,
-  hovered as zo,
-  Icon as ku,
-  lamps as wu,
-  luxText as fe,
-  nameOf as xu,
-  select as Mu,
-  useEffect as Su,
-  useRef as Cu,
-  viewSize as $u,
-  what as Lu
+  chosenLamps as Jo,
+  closeWhat as el,
+  digits as Au,
+  hovered as tl,
+  Icon as Iu,
+  lamps as qu,
+  luxText as be,
+  nameOf as Ru,
+  select as Fu,
+  useEffect as Hu,
+  useRef as Nu,
+  viewSize as Du,
+  what as Ou
 } from "./desk.js";
-import { jsx as K, jsxs as ne } from "./desk.js";
-var Se = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Pu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Tu() {
-  let e = Lu.value, t = Cu(null);
-  if (Su(() => {
+import { jsx as K, jsxs as ae } from "./desk.js";
+var Ce = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Wu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Gu() {
+  let e = Ou.value, t = Nu(null);
+  if (Hu(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = $u.value, o = [...e.lamps].sort((c, g) => Se(g) - Se(c)), r = o.reduce((c, g) => c + Se(g), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((c, g) => c + Se(g), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * l.length)), p = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
-  return ne(
+  let [n, a] = Du.value, o = [...e.lamps].sort((p, b) => Ce(b) - Ce(p)), r = o.reduce((p, b) => p + Ce(b), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((p, b) => p + Ce(b), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * l.length)), m = e.lux ? `${be(e.lux[0])} ±${be(e.lux[1], !1)}` : "Measuring…";
+  return ae(
     "div",
     {
       class: "what sheetlet",
@@ -2419,84 +2481,84 @@ function Tu() {
       tabIndex: -1,
       ref: t,
       style: { left: `${u}px`, top: `${s}px` },
-      onKeyDown: (c) => {
-        c.key === "Escape" && (c.stopPropagation(), jo(), document.getElementById("view")?.focus());
+      onKeyDown: (p) => {
+        p.key === "Escape" && (p.stopPropagation(), el(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
-        ne("header", { children: [
-          K("strong", { class: e.done ? "" : "unsettled", children: p }),
+        ae("header", { children: [
+          K("strong", { class: e.done ? "" : "unsettled", children: m }),
           K("span", { class: "quiet", children: "what lights this" }),
-          K("button", { class: "icon", "aria-label": "Close", onClick: jo, children: K(ku, { name: "close" }) })
+          K("button", { class: "icon", "aria-label": "Close", onClick: el, children: K(Iu, { name: "close" }) })
         ] }),
-        ne("ol", { children: [
-          l.map((c) => K(
+        ae("ol", { children: [
+          l.map((p) => K(
             "li",
             {
-              onPointerEnter: () => zo.value = { kind: "lamp", id: c.id },
-              onPointerLeave: () => zo.value = null,
-              children: ne("button", { class: "row", onClick: () => Mu("lamp", c.id), children: [
-                K("span", { class: "name", children: xu("lamp", c.id) }),
-                ne("span", { class: "figure", children: [
-                  yu(100 * Se(c) / r, Se(c) / r < 0.0995 ? 1 : 0),
+              onPointerEnter: () => tl.value = { kind: "lamp", id: p.id },
+              onPointerLeave: () => tl.value = null,
+              children: ae("button", { class: "row", onClick: () => Fu("lamp", p.id), children: [
+                K("span", { class: "name", children: Ru("lamp", p.id) }),
+                ae("span", { class: "figure", children: [
+                  Au(100 * Ce(p) / r, Ce(p) / r < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
-                ne("span", { class: "figure lux", children: [
-                  fe(Se(c)),
+                ae("span", { class: "figure lux", children: [
+                  be(Ce(p)),
                   " ±",
-                  fe(Pu(c), !1)
+                  be(Wu(p), !1)
                 ] }),
-                ne("span", { class: "shares", "aria-hidden": "true", children: [
-                  K("i", { class: "direct", style: { width: `${100 * c.direct[0] / r}%` } }),
-                  K("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / r}%` } }),
-                  K("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / r}%` } })
+                ae("span", { class: "shares", "aria-hidden": "true", children: [
+                  K("i", { class: "direct", style: { width: `${100 * p.direct[0] / r}%` } }),
+                  K("i", { class: "indirect", style: { width: `${100 * p.indirect[0] / r}%` } }),
+                  K("i", { class: "caustic", style: { width: `${100 * p.caustic[0] / r}%` } })
                 ] }),
-                ne("span", { class: "spoken", children: [
+                ae("span", { class: "spoken", children: [
                   "direct ",
-                  fe(c.direct[0]),
+                  be(p.direct[0]),
                   ", indirect ",
-                  fe(c.indirect[0]),
+                  be(p.indirect[0]),
                   ", caustic",
                   " ",
-                  fe(c.caustic[0])
+                  be(p.caustic[0])
                 ] })
               ] })
             },
-            c.id
+            p.id
           )),
-          o.length > l.length && ne("li", { class: "quiet", children: [
+          o.length > l.length && ae("li", { class: "quiet", children: [
             o.length - l.length === 1 ? "one more" : `${o.length - l.length} more together`,
             ": ",
-            fe(i)
+            be(i)
           ] }),
           !o.length && K("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
-        ne("footer", { children: [
+        ae("footer", { children: [
           K("span", { class: "key direct", children: "direct" }),
           K("span", { class: "key indirect", children: "indirect" }),
           K("span", { class: "key caustic", children: "caustic" }),
           K("span", { class: "gap" }),
-          _o.value.some((c) => wu.get(c)?.place?.direction) && K("button", { onClick: () => Be(_o.peek(), e.hit.point), children: "Aim here" }),
-          K("button", { onClick: () => Ue(e.hit.point, e.hit.normal), children: "Meter here" })
+          Jo.value.some((p) => qu.get(p)?.place?.direction) && K("button", { onClick: () => _e(Jo.peek(), e.hit.point), children: "Aim here" }),
+          K("button", { onClick: () => je(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
     }
   );
 }
 export {
-  Xl as Compare,
-  gu as CutBar,
-  Vr as Gizmo,
-  Oi as Inspector,
-  Xi as Legend,
-  lu as PageItems,
-  ou as SeeingItems,
-  Gs as SheetHead,
-  Ks as SheetRow,
-  Cs as Sheets,
-  Ys as Strip,
-  nu as ViewItems,
-  hu as ViewStrip,
-  vu as WalkPad,
-  Tu as What
+  or as Compare,
+  Pu as CutBar,
+  Or as Gizmo,
+  zi as Inspector,
+  ls as Legend,
+  vu as PageItems,
+  bu as SeeingItems,
+  Js as SheetHead,
+  eu as SheetRow,
+  Fs as Sheets,
+  cu as Strip,
+  gu as ViewItems,
+  Lu as ViewStrip,
+  Vu as WalkPad,
+  Gu as What
 };

@@ -45,7 +45,7 @@ export const DEFAULT_FALSE: FalseColor = {
 let lastFalse: FalseColor = DEFAULT_FALSE;
 
 /** What is asked of the program: all but what it says besides. */
-export const asked = ({ quantity, low, high, scale, palette, lines }: FalseColor): FalseColor => ({ quantity, low, high, scale, palette, lines });
+export const asked = ({ quantity, low, high, scale, palette, lines, against }: FalseColor): FalseColor => ({ quantity, low, high, scale, palette, lines, against });
 
 /** The false colour that is shown, or was last. */
 export const falseColor = (): FalseColor => display.peek().false_color ?? lastFalse;
@@ -53,6 +53,8 @@ export const falseColor = (): FalseColor => display.peek().false_color ?? lastFa
 export function toggleFalse(): void {
     const now = display.peek().false_color;
     if (now) lastFalse = now;
+    // Its look may be gone when it is asked for again.
+    if (lastFalse.against != null) lastFalse = DEFAULT_FALSE;
     show({ false_color: now ? null : asked(lastFalse) });
 }
 

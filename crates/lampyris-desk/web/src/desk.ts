@@ -4,7 +4,7 @@ export { computed, effect, signal } from '@preact/signals';
 export { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 export { Fragment, jsx, jsxs } from 'preact/jsx-runtime';
 export {
-    act, allActions, asked, command, copyText, each, exposeBy, falseColor, register, sheet, storeLook, storeView,
+    act, allActions, asked, command, copyText, DEFAULT_FALSE, each, exposeBy, falseColor, register, sheet, storeLook, storeView,
     toggleFalse, wantLevel, whyNotTo, type Action,
 } from './actions';
 export { before, compareHeld, comparing, toggleWipe, wipeAt } from './before';
@@ -43,7 +43,7 @@ export {
     type Camera, type Color, type ColorMode, type FalseColor, type Grid, type Hit, type Id, type Lamp, type LampKind,
     type LinkEntry, type Material, type Meter, type Patch, type Place, type Share, type Thing, type Vec,
 } from './types';
-export { digits, format, luxText, percent, three, type Quantity } from './units';
+export { digits, format, luxText, percent, signed, three, type Quantity } from './units';
 export { across, add, cross, distance, dot, length, middle, normal, scale, sub, turn } from './vec';
 export { Virtual } from './virtual';
 export { ask, hear, role, send } from './wire';

@@ -110,6 +110,8 @@ export interface Meter {
     point: Vec;
     normal: Vec;
     lux?: Measured | null;
+    /** How much more than in the look that is compared with [lx]; so it is with areas. */
+    change?: number | null;
     /** What it shall read [lx]. */
     target?: number | null;
 }
@@ -125,6 +127,7 @@ export interface Grid {
     /** Row by row, as far as it is known; so are the figures. */
     lux?: (number | null)[];
     mean?: number | null;
+    change?: number | null;
     min?: number | null;
     max?: number | null;
     uniformity?: number | null;
@@ -134,7 +137,9 @@ export interface Grid {
 }
 
 export interface FalseColor {
-    quantity: 'illuminance' | 'luminance';
+    /** A difference is one of illuminance, to a look. */
+    quantity: 'illuminance' | 'luminance' | 'difference';
+    against?: Id | null;
     low: number;
     high: number;
     scale: 'log' | 'linear';
@@ -144,6 +149,8 @@ export interface FalseColor {
     colors?: string[];
     palettes?: string[];
     ticks?: [number, number][];
+    /** False where lamps that differ in the look share a layer. */
+    exact?: boolean;
 }
 
 export interface Display {
@@ -196,6 +203,8 @@ export interface Hit {
     lamp: Id | null;
     lux: Measured | null;
     luminance: Measured | null;
+    /** How much more than in the look that is compared with [lx]. */
+    change?: number | null;
 }
 
 /** One lamp's part of the light at a point, each [lx, ±]. */

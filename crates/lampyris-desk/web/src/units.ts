@@ -167,6 +167,9 @@ export function format(value: number, quantity: Quantity): string {
     }
 }
 
+/** A difference of illuminance, with its sign. */
+export const signed = (lux: number): string => (lux > 0 ? '+' : '') + luxText(lux);
+
 /** Illuminance in the unit that the user has chosen. */
 export function luxText(lux: number, unit = true): string {
     const fc = candles.value === 'fc';

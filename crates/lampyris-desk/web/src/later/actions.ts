@@ -1,13 +1,15 @@
 // Everything one can do, by name.
 
 import {
-    adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
+    adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, DEFAULT_FALSE, deselect, each, edit,
     exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
-    highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, say, scene, selection, send,
+    highlight, history, lampMarks, lamps, listing, lookOnly, looks, panels, PRESETS, register, say, scene, selection, send,
     sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
     toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
     type Preset,
 } from '../desk';
+import { difference } from './differ';
+import { most } from './most';
 import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
 const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
@@ -105,7 +107,16 @@ const list: Action[] = [
         id: 'quantity', group: 'Seeing', label: 'False colour of lux or of cd/m²', keys: 'Shift+B',
         run: () => {
             const now = falseColor();
-            show({ false_color: { ...asked(now), quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
+            if (now.against != null) show({ false_color: DEFAULT_FALSE });
+            else show({ false_color: { ...asked(now), quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
+        },
+    },
+    {
+        id: 'difference', group: 'Seeing', label: 'Difference in lux to the look stored last',
+        run: () => {
+            const last = looks.ids.peek().at(-1);
+            if (last === undefined) say('Store a look first.');
+            else show({ false_color: difference(last) });
         },
     },
     { id: 'darker', group: 'Seeing', label: 'Darker by a third of a stop', keys: ',', run: () => exposeBy(1) },
@@ -116,7 +127,7 @@ const list: Action[] = [
     { id: 'meter', group: 'Measure', label: 'Meter under the pointer', keys: 'P', why: whyNot, run: () => (spot.peek() ? addMeter(spot.peek()!.point, spot.peek()!.normal) : startTool('meter')) },
     { id: 'meter-tool', group: 'Measure', label: 'Lay a meter by pointing', run: () => startTool('meter'), why: whyNot },
     { id: 'grid', group: 'Measure', label: 'Lay a grid by two corners', keys: 'Shift+G', run: () => startTool('grid'), why: whyNot },
-    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach' }), why: whyNot },
+    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach', most: most.peek() }), why: whyNot },
     { id: 'units', group: 'Measure', label: 'Lux or foot-candles', run: () => (candles.value = candles.peek() === 'lx' ? 'fc' : 'lx') },
     { id: 'look-store', group: 'Looks', label: 'Store a look', keys: 'Ctrl+Enter', run: storeLook, why: whyNot },
     { id: 'look-recall', group: 'Looks', label: 'Recall a look by its digit', keys: 'J, then 1…9', run: () => say('Press J, then the digit of the look.') },

@@ -1,6 +1,7 @@
 // The legend of false colour: always in the picture, its ends are dragged or typed, and nothing ever moves it by itself.
 
-import { asked, candles, display, Field, show, three, useRef, type FalseColor } from '../desk';
+import { asked, candles, DEFAULT_FALSE, display, Field, looks, show, three, useRef, type FalseColor } from '../desk';
+import { about } from './differ';
 
 const STEPS = [1, 2, 5];
 
@@ -29,7 +30,8 @@ export function place(value: number, f: FalseColor): number {
 }
 
 const set = (f: FalseColor, change: Partial<FalseColor>) => {
-    const next = asked({ ...f, ...change });
+    let next = asked({ ...f, ...change });
+    if (next.against != null) next = about(next);
     if (next.scale === 'log') next.low = Math.max(next.low, 1e-3);
     if (next.high > next.low * 1.01) show({ false_color: next });
 };
@@ -46,11 +48,20 @@ export function Legend() {
     const drag = useRef<{ y: number; end: 'low' | 'high'; from: number } | null>(null);
     if (!f) return null;
     const fc = candles.value === 'fc';
-    const illuminance = f.quantity === 'illuminance';
+    const differs = f.quantity === 'difference';
+    const illuminance = f.quantity !== 'luminance';
     const unit = illuminance ? (fc ? 'fc' : 'lx') : fc ? 'fL' : 'cd/m²';
     const factor = fc ? (illuminance ? 1 / 10.7639 : 0.2919) : 1;
     const bar = f.colors?.length ? `linear-gradient(to top, ${f.colors.join(', ')})` : undefined;
     const marks = f.ticks ?? ticks(f.low, f.high, f.scale).map((v) => [v, place(v, f)]);
+
+    const label = (v: number) => {
+        const text = String(Number(v.toPrecision(2)));
+        return differs ? text.replace('-', '−').replace(/^(?=[1-9]|0\.)/, '+') : text;
+    };
+    /** Where an end is after so many steps up; of a difference both go apart by them. */
+    const moved = (end: 'low' | 'high', from: number, by: number) =>
+        differs ? { high: along(Math.abs(from), end === 'low' ? -by : by) } : { [end]: along(from, by) };
 
     const ends = (end: 'low' | 'high') => ({
         onPointerDown: (e: PointerEvent) => {
@@ -59,7 +70,7 @@ export function Legend() {
         },
         onPointerMove: (e: PointerEvent) => {
             const held = drag.current;
-            if (held?.end === end) set(f, { [end]: along(held.from, Math.round((held.y - e.clientY) / 14)) });
+            if (held?.end === end) set(f, moved(end, held.from, Math.round((held.y - e.clientY) / 14)));
         },
         onPointerUp: () => (drag.current = null),
         onPointerCancel: () => (drag.current = null),
@@ -68,7 +79,7 @@ export function Legend() {
             if (!by) return;
             e.preventDefault();
             e.stopPropagation();
-            set(f, { [end]: along(f[end], by) });
+            set(f, moved(end, f[end], by));
         },
     });
     const End = ({ end }: { end: 'low' | 'high' }) => (
@@ -79,41 +90,52 @@ export function Legend() {
                 tabIndex={0}
                 aria-label={end === 'low' ? 'Lower end of the legend' : 'Upper end of the legend'}
                 aria-valuenow={f[end]}
-                aria-valuemin={0.001}
+                aria-valuemin={differs ? -1000000 : 0.001}
                 aria-valuemax={1000000}
                 aria-valuetext={`${three(f[end] * factor)} ${unit}`}
                 {...ends(end)}
             />
-            <Field
+            {differs && end === 'low' ? <output>{label(f.low * factor)}</output> : <Field
                 label={end === 'low' ? 'Lower end' : 'Upper end'}
                 quantity="number"
                 value={Number((f[end] * factor).toPrecision(3))}
                 set={(apply) => set(f, { [end]: apply(f[end] * factor) / factor })}
-            />
+            />}
         </div>
     );
     return (
         <aside class="legend" aria-label="Legend of false colour" data-scroll>
             <header>
                 <button
-                    aria-label={`${unit}: ${illuminance ? 'illuminance' : 'luminance'}, change`}
-                    onClick={() => set(f, { quantity: illuminance ? 'luminance' : 'illuminance' })}
+                    aria-label={`${unit}: ${differs ? 'difference' : f.quantity}, change`}
+                    onClick={() => (differs ? show({ false_color: DEFAULT_FALSE }) : set(f, { quantity: illuminance ? 'luminance' : 'illuminance' }))}
                 >
-                    {unit}
+                    {differs ? `Δ ${unit}` : unit}
                 </button>
-                <button aria-pressed={f.scale === 'log'} onClick={() => set(f, { scale: f.scale === 'log' ? 'linear' : 'log' })}>log</button>
+                {!differs && <button aria-pressed={f.scale === 'log'} onClick={() => set(f, { scale: f.scale === 'log' ? 'linear' : 'log' })}>log</button>}
                 <button aria-pressed={f.lines} onClick={() => set(f, { lines: !f.lines })}>lines</button>
             </header>
+            {differs && (
+                <p class="quiet" title={f.exact === false ? 'Lamps that differ in the look share a layer of light: what is shown of them is their mean.' : undefined}>
+                    {f.exact === false ? '≈ ' : ''}now − {looks.get(f.against)?.name ?? 'look'}
+                </p>
+            )}
             <End end="high" />
             <div class="scale" style={{ background: bar }}>
                 {marks.map(([v, at]) => (
-                    <span key={v} style={{ bottom: `${100 * at}%` }}>{String(Number((v * factor).toPrecision(2)))}</span>
+                    <span key={v} style={{ bottom: `${100 * at}%` }}>{label(v * factor)}</span>
                 ))}
             </div>
             <End end="low" />
             <footer>
-                <button onClick={() => set(f, { low: 0.1, high: 100, scale: 'log' })}>0.1–100</button>
-                <button onClick={() => set(f, { low: 1, high: 1000, scale: 'log' })}>1–1000</button>
+                {differs ? (
+                    [50, 500].map((high) => <button key={high} onClick={() => set(f, { high })}>±{high}</button>)
+                ) : (
+                    <>
+                        <button onClick={() => set(f, { low: 0.1, high: 100, scale: 'log' })}>0.1–100</button>
+                        <button onClick={() => set(f, { low: 1, high: 1000, scale: 'log' })}>1–1000</button>
+                    </>
+                )}
                 <select
                     aria-label="Palette"
                     value={f.palette}

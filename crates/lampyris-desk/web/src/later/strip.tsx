@@ -1,9 +1,11 @@
 // The strip under the view: looks, and what meters and grids say.
 
 import {
-    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, signal, status,
-    storeLook,
+    act, command, digits, display, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, show,
+    signal, signed, status, storeLook,
 } from '../desk';
+import { difference } from './differ';
+import { most } from './most';
 import { saveCsv } from './csv';
 
 const tab = signal<'looks' | 'meters'>('looks');
@@ -25,8 +27,8 @@ function Looks() {
                 {looks.all().map(([id, look], k) => (
                     <li class="look" key={id}>
                         <button class="recall" title={`${look.name}: recall (J ${k + 1})`} onClick={() => command({ do: 'look', id, what: 'recall', seconds: fade.peek() })}>
-                            {look.picture && <img src={look.picture} alt="" />}
-                            <span>{look.name}</span>
+                            {look.picture && <img src={look.picture} alt={look.name} width={96} height={72} />}
+                            <span aria-hidden={look.picture ? 'true' : undefined}>{look.name}</span>
                         </button>
                         <LookMenu id={id} name={look.name} />
                     </li>
@@ -46,6 +48,7 @@ function LookMenu({ id, name }: { id: number; name: string }) {
         sheet?.style.setProperty('bottom', `${innerHeight - box.top + 4}px`);
         sheet?.style.setProperty('top', 'auto');
     };
+    const compared = display.value.false_color?.against === id;
     const attributes = { popovertarget: menu } as Record<string, string>;
     const close = () => document.getElementById(menu)?.hidePopover();
     const give = (what: string, more: Record<string, unknown> = {}) => {
@@ -66,6 +69,15 @@ function LookMenu({ id, name }: { id: number; name: string }) {
                 </label>
                 <button class="item" onClick={() => give('update')}><span>Update to what is set now</span></button>
                 <button class="item" onClick={() => give('recall', { seconds: 0 })}><span>Recall at once</span></button>
+                <button
+                    class="item"
+                    onClick={() => {
+                        close();
+                        show({ false_color: compared ? null : difference(id) });
+                    }}
+                >
+                    <span>{compared ? 'End the difference' : 'Difference to now'}</span>
+                </button>
                 <button class="item" onClick={() => give('remove')}><span>Remove</span></button>
             </div>
         </>
@@ -74,6 +86,9 @@ function LookMenu({ id, name }: { id: number; name: string }) {
 
 /** True while figures are still on their way. */
 const settling = () => status.value?.stage === 'moving' || status.value?.stage === 'refining' || status.value?.stage === 'loading';
+
+/** By how much a reading is more than in the look that is compared with. */
+const change = (by: number | null | undefined, kept: number) => (by == null ? '' : ` · Δ ${signed(by * kept)}`);
 
 function Readings() {
     const kept = maintenance.value;
@@ -85,6 +100,10 @@ function Readings() {
                 <button class="icon" aria-label="Lay a meter" title="Lay a meter by pointing" onClick={() => act('meter-tool')}><Icon name="meter" /></button>
                 <button class="icon" aria-label="Lay a grid" title="Lay a grid by two corners" onClick={() => act('grid')}><Icon name="grid" /></button>
                 <button onClick={() => act('reach')} title="Set levels so that meters and areas come nearest to their targets">Reach targets</button>
+                <label class="tint" title="How high levels may be set, of each lamp's flux">
+                    up to
+                    <Field label="Highest level to reach targets" quantity="level" value={most.value} step={0.1} set={(apply) => (most.value = Math.min(10, Math.max(1, apply(most.value))))} />
+                </label>
                 <button onClick={saveCsv} title="Save all figures as CSV">CSV</button>
                 <span class="gap" />
                 <span class="quiet">{kept === 1 ? 'new installation' : `× ${digits(kept, 2)} maintained`}</span>
@@ -100,6 +119,7 @@ function Readings() {
                                 <strong class={poor ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
                                 <small>
                                     {lux?.[1] != null ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
+                                    {change(meter.change, kept)}
                                     {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
                                 </small>
                             </button>
@@ -121,6 +141,7 @@ function Readings() {
                                 <small>
                                     U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : luxText(grid.min * kept, false)} to{' '}
                                     {grid.max == null ? '…' : luxText(grid.max * kept, false)}
+                                    {change(grid.change, kept)}
                                     {target ? ` · wants ${luxText(target.lux)}, U₀ ${digits(target.uniformity, 2)}` : ''}
                                 </small>
                             </button>
