@@ -3,8 +3,8 @@
 mod support;
 
 use serde_json::{Value, json};
-use support::desk::{Client, Desk};
 use support::Folder;
+use support::desk::{Client, Desk};
 
 const SIZE: [u32; 2] = [64, 48];
 
@@ -56,7 +56,12 @@ fn looks_have_thumbnails() {
     assert_eq!(one.dimensions(), SIZE.into());
     // As near as JPEG is.
     assert!(apart(&bright, &dim) > 20.0, "{}", apart(&bright, &dim));
-    assert!(apart(&one, &bright) < 3.0 && apart(&two, &dim) < 3.0, "{} {}", apart(&one, &bright), apart(&two, &dim));
+    assert!(
+        apart(&one, &bright) < 3.0 && apart(&two, &dim) < 3.0,
+        "{} {}",
+        apart(&one, &bright),
+        apart(&two, &dim)
+    );
 
     // One that is updated has another, and the old one is gone; so it is with one that is removed.
     client.ask(json!({"do": "look", "what": "update", "id": 0})).unwrap();

@@ -23,7 +23,7 @@ use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Found, Opened, Progress, Studio};
+use crate::studio::{Found, Opened, Progress, Studio, Survey};
 use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::Rgb;
 use lampyris::cpu::Answer;
@@ -201,7 +201,8 @@ pub(crate) struct Parts {
 
 impl Desk {
     pub(crate) fn new(parts: Parts) -> crate::error::Result<Desk> {
-        let Parts { hub, door, studio, screen, printer, album, inbox, file, build, ends_alone, enough } = parts;
+        let Parts { hub, door, studio, screen, printer, album, inbox, file, build, ends_alone, enough } =
+            parts;
         Ok(Desk {
             hub,
             door,
@@ -257,9 +258,8 @@ impl Desk {
                     self.album.clear();
                     self.unseen = true;
                     self.end_comparison_with_nothing();
-                    self.remix(0.0);
-                    let of_surfaces = self.show.legend.as_ref().is_some_and(|legend| legend.is_of_surfaces());
-                    self.studio.survey(of_surfaces);
+                    self.mix(self.seq, 0.0);
+                    self.studio.survey(Survey::of(self.show.legend.as_deref()));
                     self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
                 }
@@ -501,7 +501,7 @@ impl Desk {
             }
             Do::Solo { lamps } => {
                 self.solo = lamps.into_iter().collect();
-                self.remix(0.0);
+                self.mix(seq, 0.0);
                 self.tell_patch(json!({"solo": self.solo}));
                 Ok(false)
             }
@@ -561,7 +561,7 @@ impl Desk {
             if against.is_some_and(|look| self.as_in(look).is_none()) {
                 return Err("there is no such look".into());
             }
-            self.studio.survey(show.legend.as_ref().is_some_and(|legend| legend.is_of_surfaces()));
+            self.studio.survey(Survey::of(show.legend.as_deref()));
         }
         if patch.get("ev").is_some() {
             self.metered = false;
@@ -573,7 +573,7 @@ impl Desk {
         let mut traced = false;
         if compares {
             traced = self.sort_to_compare(seq)?;
-            self.remix(0.0);
+            self.mix(seq, 0.0);
             self.read_meters();
             self.tell_readings();
         }

@@ -96,7 +96,10 @@ impl Legend {
         if asked.lines {
             let target = asked.target;
             let ticks = colors.ticks(LINES).into_iter().map(|tick| tick.value as f32);
-            colors.lines = ticks.filter(|tick| Some(*tick) != target && (*tick != 0.0 || asked.against.is_none())).map(|tick| (tick, false)).collect();
+            colors.lines = ticks
+                .filter(|tick| Some(*tick) != target && (*tick != 0.0 || asked.against.is_none()))
+                .map(|tick| (tick, false))
+                .collect();
             colors.lines.extend(target.map(|target| (target, true)));
         }
         Ok(Some(Legend { quantity: asked.quantity, colors, asked }))
@@ -105,11 +108,6 @@ impl Legend {
     /// The look that is compared with.
     pub(crate) fn against(&self) -> Option<u32> {
         self.asked.against
-    }
-
-    /// Whether it must be known what surfaces reflect.
-    pub(crate) fn is_of_surfaces(&self) -> bool {
-        self.quantity != Quantity::Luminance
     }
 
     /// What pages are told.
@@ -138,9 +136,7 @@ impl Legend {
         let lux = |(c, albedo): (&Rgb, &Rgb)| illuminance(*c, *albedo).unwrap_or(f32::NAN);
         let values: Vec<f32> = match self.quantity {
             Quantity::Luminance => radiance.iter().map(|c| c.luminance()).collect(),
-            Quantity::Illuminance => {
-                radiance.iter().zip(albedos?).map(lux).collect()
-            }
+            Quantity::Illuminance => radiance.iter().zip(albedos?).map(lux).collect(),
             Quantity::Difference => {
                 let pixels = radiance.iter().zip(against?).zip(albedos?);
                 pixels.map(|((now, then), albedo)| lux((now, albedo)) - lux((then, albedo))).collect()
@@ -191,7 +187,9 @@ mod tests {
                            "palette": "diverging", "lines": true});
         let legend = Legend::read(&asked).unwrap().unwrap();
         assert_eq!((legend.against(), legend.told()["against"].as_u64()), (Some(3), Some(3)));
-        assert!(legend.colors.lines.iter().all(|(value, _)| *value != 0.0) && !legend.colors.lines.is_empty());
+        assert!(
+            legend.colors.lines.iter().all(|(value, _)| *value != 0.0) && !legend.colors.lines.is_empty()
+        );
         let count = 201;
         let albedos: Vec<Rgb> = (0..count).map(|k| Rgb::grey(0.1 + 0.004 * k as f32)).collect();
         let lit = |lux: f32, albedo: Rgb| albedo * (lux / std::f32::consts::PI);

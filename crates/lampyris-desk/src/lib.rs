@@ -108,8 +108,7 @@ pub fn serve<E: From<Error> + Display + Send>(
     let (hub, studio, screen) = (Arc::new(Hub::new()), Arc::new(Studio::new()), Arc::new(Screen::new()));
     let printer = Arc::new(Printer::new(options.program.clone()));
     let album = Arc::new(Album::default());
-    let server =
-        http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone(), album.clone());
+    let server = http::Server::new(door.clone(), hub.clone(), inbox.clone(), printer.clone(), album.clone());
     let parts = Parts {
         hub: hub.clone(),
         door: door.clone(),

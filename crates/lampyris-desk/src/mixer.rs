@@ -197,8 +197,7 @@ mod tests {
         now.groups.push(model::Group { name: "all".into(), on: true, level: 1.0, gone: false });
         for number in 0..4 {
             let position = Vec3::splat(number as f32);
-            let light =
-                Light::new(number.to_string(), LightKind::Point { position, intensity: Rgb::WHITE });
+            let light = Light::new(number.to_string(), LightKind::Point { position, intensity: Rgb::WHITE });
             scene.apply(&Edit::AddLight { light: light.clone() }).unwrap();
             let emitter = adding::enter(&mut scene, number);
             now.lamps.push(adding::lamp(number, &light, emitter, 0));

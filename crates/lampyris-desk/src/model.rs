@@ -175,7 +175,8 @@ impl Model {
             inverse.materials.insert(*id, material.apply(&patch.materials[id])?);
         }
         let faders = NOTE + FADER * (self.lamps.len() + self.groups.len());
-        let rooms = [(&patch.views, NOTE), (&patch.looks, faders), (&patch.meters, NOTE), (&patch.grids, NOTE)];
+        let rooms =
+            [(&patch.views, NOTE), (&patch.looks, faders), (&patch.meters, NOTE), (&patch.grids, NOTE)];
         for (notes, room) in rooms {
             for (id, note) in notes {
                 let long = note.as_ref().is_some_and(|note| note.to_string().len() > room);

@@ -24,6 +24,8 @@ pub(crate) struct Light {
     pub(crate) batches: u32,
     pub(crate) error: f32,
     pub(crate) kind: Option<Kind>,
+    /// The light of all groups is in one layer, in the colours that it was drawn in.
+    pub(crate) melted: bool,
     /// The last message of the editor that asked for rays and is in it.
     pub(crate) seq: u32,
     /// How long it took [s].
@@ -152,7 +154,8 @@ impl Screen {
     /// What is shown if it is no sketch and has all that was asked for, and what it is.
     pub(crate) fn settled(&self) -> Option<(Arc<Still>, Kind)> {
         let wanted = self.wanted();
-        let kind = wanted.light.kind.filter(|kind| *kind != Kind::Moving && wanted.light.seq >= wanted.traced);
+        let kind =
+            wanted.light.kind.filter(|kind| *kind != Kind::Moving && wanted.light.seq >= wanted.traced);
         wanted.light.still.clone().zip(kind)
     }
 
@@ -190,6 +193,11 @@ impl Screen {
             wanted.changed = fading;
             let (light, mut show) = (wanted.light.clone(), wanted.show.clone());
             let against = wanted.against.clone();
+            // What has no layers can be compared with nothing; soon there is light that has some.
+            if light.melted && show.legend.as_ref().is_some_and(|legend| legend.against().is_some()) {
+                wanted.changed = false;
+                continue;
+            }
             let (Some(kind), Some(look), Some(still)) = (light.kind, light.look.clone(), light.still.clone())
             else {
                 wanted.changed = false;
@@ -197,7 +205,7 @@ impl Screen {
             };
             let kind = if handled { Kind::Moving } else { kind };
             // What asked for rays and is not there yet holds back the number of what came after.
-            let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
+            let seq = if light.seq >= wanted.traced && !light.melted { wanted.seq } else { light.seq };
             wanted.number += 1;
             let number = wanted.number;
             wanted.frames.push_back((number, Frame { look, size: light.size }));
@@ -206,7 +214,7 @@ impl Screen {
             }
             drop(wanted);
             let begun = Instant::now();
-            let radiance = still.mix(&colors);
+            let radiance = still.mix(if light.melted { &[] } else { &colors });
             if show.ev.is_none() {
                 let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);
@@ -215,7 +223,12 @@ impl Screen {
             }
             let painted = show.legend.as_ref().and_then(|legend| {
                 let against = legend.against().and(against).map(|colors| still.mix(&colors));
-                legend.paint(&radiance, against.as_deref(), light.albedos.as_ref().map(|own| own.as_slice()), light.size)
+                legend.paint(
+                    &radiance,
+                    against.as_deref(),
+                    light.albedos.as_ref().map(|own| own.as_slice()),
+                    light.size,
+                )
             });
             let false_color = painted.is_some();
             let picture = match painted {
@@ -259,7 +272,12 @@ impl Screen {
 }
 
 /// JPEG while it is not final, then PNG.
-pub(crate) fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
+pub(crate) fn encode(
+    mut radiance: Vec<Rgb>,
+    [width, height]: [u32; 2],
+    show: &Show,
+    kind: Kind,
+) -> Option<Vec<u8>> {
     if show.white != Rgb::WHITE {
         radiance.iter_mut().for_each(|c| *c *= show.white);
     }

@@ -6,6 +6,7 @@ use super::{Desk, SOON};
 use crate::mixer;
 use crate::model::{Model, Touched};
 use crate::state;
+use crate::studio::Survey;
 use lampyris::Rgb;
 use lampyris::measuring::Estimate;
 use lampyris::scene::Edit;
@@ -24,10 +25,13 @@ impl Desk {
         Some((self.soloed(colors), exact))
     }
 
-    /// Has the layers shown as they shall be, and compared with what they are compared with.
-    pub(super) fn remix(&mut self, seconds: f32) {
+    /// Shows the layers in the colours that they have by a message, faded to in so many seconds, and compared with those of a
+    /// look, if one is compared with.
+    pub(super) fn mix(&mut self, seq: u32, seconds: f32) {
+        let colors = self.colors();
+        self.studio.mix(colors.clone(), seq);
         let (against, exact) = self.against().map_or((None, true), |(colors, exact)| (Some(colors), exact));
-        self.screen.mix(self.colors(), against, seconds);
+        self.screen.mix(colors, against, seconds);
         if std::mem::replace(&mut self.exact, exact) != exact {
             self.tell_patch(json!({"display": self.display()}));
         }
@@ -61,7 +65,7 @@ impl Desk {
         let against = self.show.legend.as_ref().and_then(|legend| legend.against());
         if against.is_some_and(|look| self.as_in(look).is_none()) {
             self.show.legend = None;
-            self.studio.survey(false);
+            self.studio.survey(Survey::default());
             self.screen.show(self.show.clone());
             self.tell_patch(json!({"display": self.display()}));
         }

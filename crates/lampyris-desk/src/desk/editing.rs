@@ -149,7 +149,7 @@ impl Desk {
                     self.unseen = true;
                     self.end_comparison_with_nothing();
                 }
-                self.remix(seconds);
+                self.mix(seq, seconds);
                 if !touched.meters.is_empty() || !touched.grids.is_empty() {
                     self.lay_out();
                 }

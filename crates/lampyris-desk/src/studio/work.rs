@@ -1,6 +1,7 @@
 //! What the studio is asked to do: everybody may put something down, and it takes all of it between batches.
 
 use super::Opened;
+use crate::legend::{Legend, Quantity};
 use crate::screen::Frame;
 use crate::wire::Look;
 use glam::Vec3;
@@ -23,8 +24,10 @@ pub(super) struct Work {
     /// Edits in order; of those of one thing that follow each other only the last.
     pub(super) edits: Vec<(Edit, u32)>,
     pub(super) questions: Vec<Asked>,
-    /// Whether what surfaces reflect is to be noted.
-    pub(super) survey: Option<bool>,
+    /// In which colours the layers are shown, and the message that asked.
+    pub(super) mix: Option<(Vec<Rgb>, u32)>,
+    /// What pictures are to tell besides light.
+    pub(super) survey: Option<Survey>,
     /// Where to measure from now on.
     pub(super) meters: Option<Vec<Meter>>,
     /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
@@ -32,6 +35,23 @@ pub(super) struct Work {
     /// The scene's file was read again; what the desk wants to be kept.
     pub(super) reload: Option<(Box<Opened>, Value)>,
     pub(super) ended: bool,
+}
+
+/// What pictures tell besides light, for false colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Survey {
+    /// What surfaces reflect.
+    pub(crate) surfaces: bool,
+    /// What each layer has, in sketches too: they are mixed in other colours than they are shown in.
+    pub(crate) layers: bool,
+}
+
+impl Survey {
+    /// What a legend takes.
+    pub(crate) fn of(legend: Option<&Legend>) -> Survey {
+        let surfaces = legend.is_some_and(|legend| legend.quantity != Quantity::Luminance);
+        Survey { surfaces, layers: legend.is_some_and(|legend| legend.against().is_some()) }
+    }
 }
 
 /// A question, and who asked it.
@@ -116,9 +136,14 @@ impl Studio {
         });
     }
 
-    /// Whether the surfaces of pictures are to be told from now on, for false colour of illuminance.
-    pub(crate) fn survey(&self, on: bool) {
-        self.put(true, |work| work.survey = Some(on));
+    /// The layers are shown in other colours, which may be others than the scene's.
+    pub(crate) fn mix(&self, colors: Vec<Rgb>, seq: u32) {
+        self.put(false, |work| work.mix = Some((colors, seq)));
+    }
+
+    /// What pictures are to tell from now on besides light.
+    pub(crate) fn survey(&self, survey: Survey) {
+        self.put(true, |work| work.survey = Some(survey));
     }
 
     /// Asks.
@@ -170,6 +195,7 @@ impl Studio {
                 && work.camera.is_none()
                 && work.size.is_none()
                 && work.edits.is_empty()
+                && work.mix.is_none()
                 && work.questions.is_empty()
                 && work.save.is_none()
                 && work.meters.is_none()

@@ -162,12 +162,18 @@ mod tests {
         for k in 1..=steps {
             let ([below, _, blue], [above, _, yellow]) = (at(-k), at(k));
             let lightness = 94.0 - 56.0 * f64::from(k) / f64::from(steps);
-            assert!((below - lightness).abs() < 0.6 && (above - lightness).abs() < 0.6, "{k}: {below} {above}");
+            assert!(
+                (below - lightness).abs() < 0.6 && (above - lightness).abs() < 0.6,
+                "{k}: {below} {above}"
+            );
             assert!(blue < at(1 - k)[2] && yellow > at(k - 1)[2], "{k}");
         }
         for k in 0..=1000 {
             let color = from_lab(diverging(f64::from(k) / 1000.0));
-            assert!(color.iter().all(|c| (0.0..=1.0).contains(c)), "{k}: {color:?}: out of what displays show");
+            assert!(
+                color.iter().all(|c| (0.0..=1.0).contains(c)),
+                "{k}: {color:?}: out of what displays show"
+            );
         }
     }
 
