@@ -191,11 +191,16 @@ fn targets_are_met_for_certain() {
     let desk = Desk::start(&folder, "cornell.mgf --size 32x24 --batches 2 --threads 2");
     let mut client = desk.client(&desk.key);
     client.until(|value| value["is"] == "state");
-    let meter = json!({"name": "m", "kind": "horizontal", "point": [1.0, 0.5, 0.5], "normal": [0, 1, 0]});
+    let meter = json!({"name": "m", "kind": "horizontal", "point": [2.78, 4.0, 2.8], "normal": [0, 1, 0]});
     client.ask(json!({"do": "set", "patch": {"meters": {"0": meter}}})).unwrap();
     let read = |client: &mut Client, wanted: &dyn Fn(f64) -> bool| loop {
         let lux = &client.state["meters"]["0"]["lux"];
         if let Some((value, error)) = lux[0].as_f64().zip(lux[1].as_f64()).filter(|own| wanted(own.0)) {
+            // A figure that has just begun says little.
+            if error > 0.02 * value {
+                client.until(|value| !value["patch"]["meters"]["0"].is_null());
+                continue;
+            }
             return (value, error);
         }
         client.until(|value| !value["patch"]["meters"]["0"].is_null());
@@ -209,7 +214,7 @@ fn targets_are_met_for_certain() {
         (level, read(&mut client, &|lux| (lux / (level * full) - 1.0).abs() < 0.2))
     };
     let (level, (lux, error)) = reach(0.5 * full, json!(1));
-    assert!(lux > 0.5 * full && lux - error > 0.49 * full && lux < 0.65 * full, "{level}: {lux} ±{error}");
+    assert!(lux > 0.5 * full && lux - error > 0.49 * full && lux < 0.55 * full, "{level}: {lux} ±{error}");
     let (level, _) = reach(3.0 * full, json!(1));
     assert_eq!(level, 1.0);
     let (level, _) = reach(3.0 * full, json!(2));

@@ -8,6 +8,7 @@ mod editing;
 mod hostile;
 mod looks;
 mod reaching;
+mod showing;
 mod telling;
 
 use crate::adding::NewLamp;
@@ -15,7 +16,6 @@ use crate::album::Album;
 use crate::door::{Door, Role};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
-use crate::legend::Legend;
 use crate::meters::Layout;
 use crate::model::Model;
 use crate::patch::{LampPatch, Patch};
@@ -28,7 +28,6 @@ use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::Rgb;
 use lampyris::cpu::Answer;
 use lampyris::measuring::Estimate;
-use lampyris::output::ToneCurve;
 use lampyris::scene::Scene;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -538,47 +537,6 @@ impl Desk {
                 Ok(false)
             }
         }
-    }
-
-    /// Returns whether it asks for rays.
-    fn display_as(&mut self, seq: u32, patch: &Value) -> Result<bool, String> {
-        let mut show = self.show.clone();
-        if let Some(ev) = patch.get("ev") {
-            let ev =
-                ev.as_f64().filter(|ev| ev.abs() <= 60.0).ok_or("an exposure lies between -60 and 60")?;
-            show.ev = Some(ev as f32);
-        }
-        if let Some(tone) = patch.get("tone") {
-            show.tone = tone.as_str().and_then(ToneCurve::from_name).ok_or("there is no such tone curve")?;
-        }
-        if let Some(white) = patch.get("white") {
-            show.white = state::white(white)?;
-            self.white = white.clone();
-        }
-        if let Some(legend) = patch.get("false_color") {
-            show.legend = Legend::read(legend)?.map(Arc::new);
-            let against = show.legend.as_ref().and_then(|legend| legend.against());
-            if against.is_some_and(|look| self.as_in(look).is_none()) {
-                return Err("there is no such look".into());
-            }
-            self.studio.survey(Survey::of(show.legend.as_deref()));
-        }
-        if patch.get("ev").is_some() {
-            self.metered = false;
-        }
-        let against = |show: &Show| show.legend.as_ref().and_then(|legend| legend.against());
-        let compares = against(&show) != against(&self.show);
-        self.show = show.clone();
-        self.screen.show(show);
-        let mut traced = false;
-        if compares {
-            traced = self.sort_to_compare(seq)?;
-            self.mix(seq, 0.0);
-            self.read_meters();
-            self.tell_readings();
-        }
-        self.tell_patch(json!({"display": self.display()}));
-        Ok(traced)
     }
 
     fn links(&mut self, client: u64, what: &str, role: Option<Role>, id: Option<u32>) -> Result<(), String> {
