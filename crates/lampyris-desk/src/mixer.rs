@@ -202,7 +202,9 @@ mod tests {
             let emitter = adding::enter(&mut scene, number);
             now.lamps.push(adding::lamp(number, &light, emitter, 0));
         }
-        scene.apply(&Edit::Regroup { emitters: vec![1, 2], group: 0 }).unwrap();
+        for emitter in [1, 2] {
+            scene.apply(&Edit::Regroup { emitters: vec![emitter], group: 0 }).unwrap();
+        }
         let mut then = now.clone();
         (then.lamps[1].level, then.lamps[3].on) = (0.5, false);
         let half = (Rgb::grey(2.0) + Rgb::grey(0.5)) * (1.0 / 3.0);

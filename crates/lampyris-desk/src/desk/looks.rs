@@ -14,7 +14,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 /// Batches that a picture needs before thumbnails are taken of it, if it is not final before.
-const SETTLED: u32 = 4;
+const SETTLED: u32 = 2;
 
 impl Desk {
     /// Stores, recalls, updates, names and removes looks.

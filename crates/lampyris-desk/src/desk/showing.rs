@@ -47,7 +47,7 @@ impl Desk {
             self.read_meters();
             self.tell_readings();
         }
-        self.tell_patch(json!({"display": self.display()}));
+        self.tell_patch_of(seq, json!({"display": self.display()}));
         Ok(traced)
     }
 }
