@@ -191,6 +191,8 @@ fn the_final_picture_is_the_renderers() {
     let seq =
         client.say(json!({"do": "set", "patch": {"lamps": {"1": {"place": {"position": [1.2, 3.5, 1.0]}}}}}));
     let shown = final_picture(&mut client, seq);
+    // It may have been saved long before.
+    client.say(json!({"do": "save"}));
     client.until(|value| value["patch"]["saved"]["state"] == "saved");
     let ev = client.state["display"]["ev"].as_f64().unwrap();
     assert_eq!(desk.end(), 130);
