@@ -1,10 +1,11 @@
-//! Looks as a client of the desk finds them: their thumbnails, and differences to them.
+//! Looks as a client of the desk finds them: their thumbnails, differences to them, and mixes that reach targets.
 
 mod support;
 
 use serde_json::{Value, json};
+use std::time::Duration;
 use support::Folder;
-use support::desk::{Client, Desk};
+use support::desk::{Client, Desk, Heard};
 
 const SIZE: [u32; 2] = [64, 48];
 
@@ -184,6 +185,14 @@ fn differences_to_looks_are_told_in_lux() {
     assert_eq!(desk.end(), 130);
 }
 
+/// What meter 0 reads, and ±, once it is measured no more.
+fn settled(client: &mut Client) -> (f64, f64) {
+    client.wait(Duration::from_millis(500));
+    while !matches!(client.hear(), Heard::Silence) {}
+    let lux = &client.state["meters"]["0"]["lux"];
+    (lux[0].as_f64().expect("a reading"), lux[1].as_f64().expect("its ±"))
+}
+
 /// Levels are set so that targets are met whatever ± says, up to the lamp's flux, and beyond it if asked to.
 #[test]
 fn targets_are_met_for_certain() {
@@ -191,36 +200,23 @@ fn targets_are_met_for_certain() {
     let desk = Desk::start(&folder, "cornell.mgf --size 32x24 --batches 2 --threads 2");
     let mut client = desk.client(&desk.key);
     client.until(|value| value["is"] == "state");
-    let meter = json!({"name": "m", "kind": "horizontal", "point": [2.78, 4.0, 2.8], "normal": [0, 1, 0]});
-    client.ask(json!({"do": "set", "patch": {"meters": {"0": meter}}})).unwrap();
-    let read = |client: &mut Client, wanted: &dyn Fn(f64) -> bool| loop {
-        let lux = &client.state["meters"]["0"]["lux"];
-        if let Some((value, error)) = lux[0].as_f64().zip(lux[1].as_f64()).filter(|own| wanted(own.0)) {
-            // A figure that has just begun says little.
-            if error > 0.02 * value {
-                client.until(|value| !value["patch"]["meters"]["0"].is_null());
-                continue;
-            }
-            return (value, error);
-        }
-        client.until(|value| !value["patch"]["meters"]["0"].is_null());
-    };
-    let (full, _) = read(&mut client, &|lux| lux > 0.0);
     let mut reach = |target: f64, most: Value| {
-        client.ask(json!({"do": "set", "patch": {"meters": {"0": {"target": target}}}})).unwrap();
-        read(&mut client, &|lux| lux > 0.0);
+        let meter = json!({"name": "m", "kind": "horizontal", "point": [2.78, 4.0, 2.8], "normal": [0, 1, 0],
+                           "target": target});
+        client.ask(json!({"do": "set", "patch": {"meters": {"0": meter}}})).unwrap();
+        settled(&mut client);
         client.ask(json!({"do": "reach", "most": most})).unwrap();
-        let level = client.state["lamps"]["0"]["level"].as_f64().unwrap();
-        (level, read(&mut client, &|lux| (lux / (level * full) - 1.0).abs() < 0.2))
+        (client.state["lamps"]["0"]["level"].as_f64().unwrap(), settled(&mut client))
     };
+    let (level, (full, error)) = reach(1000.0, json!(1));
+    assert!(level == 1.0 && error > 0.0 && error < 0.05 * full, "{level}: {full} ±{error}");
+    // Levels are held a little where they are.
+    let held = 0.998;
     let (level, (lux, error)) = reach(0.5 * full, json!(1));
-    assert!(lux > 0.5 * full && lux - error > 0.49 * full && lux < 0.55 * full, "{level}: {lux} ±{error}");
-    let (level, _) = reach(3.0 * full, json!(1));
-    assert_eq!(level, 1.0);
-    let (level, _) = reach(3.0 * full, json!(2));
-    assert_eq!(level, 2.0);
+    assert!(lux - error > 0.5 * full * held && lux < 0.55 * full, "{level}: {lux} ±{error}");
     let (level, (lux, error)) = reach(1.2 * full, json!(2));
-    assert!(level > 1.0 && level < 1.6 && lux > 1.2 * full, "{level}: {lux} ±{error}");
+    assert!(lux - error > 1.2 * full * held && lux < 1.32 * full, "{level}: {lux} ±{error}");
+    assert_eq!(reach(3.0 * full, json!(2)).0, 2.0);
     for bad in [json!(0.5), json!(11), json!("much")] {
         assert!(client.ask(json!({"do": "reach", "most": bad})).is_err());
     }
