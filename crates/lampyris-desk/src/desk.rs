@@ -79,6 +79,8 @@ pub(crate) enum Event {
         readings: Vec<Estimate>,
         /// Of each layer, what it gives each of them [lx].
         by_layer: Vec<Vec<f32>>,
+        /// They have all the batches that meters get.
+        done: bool,
     },
     /// The scene's file is another one, and was read.
     Changed(Box<Opened>),
@@ -281,9 +283,9 @@ impl Desk {
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
                 }
-                Event::Measured { readings, by_layer } => {
+                Event::Measured { readings, by_layer, done } => {
                     self.by_layer = by_layer;
-                    self.told = self.layout.told(&readings);
+                    self.told = self.layout.told(&readings, done);
                     self.tell_readings();
                 }
                 Event::Changed(opened) => {

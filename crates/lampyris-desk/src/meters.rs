@@ -96,12 +96,12 @@ impl Layout {
         meters.chain(grids).filter_map(wanted).filter(|(row, _)| !row.is_empty()).unzip()
     }
 
-    /// What is said of meters and grids whose points read so, by slice and number.
-    pub(crate) fn told(&self, readings: &[Estimate]) -> Value {
+    /// What is said of meters and grids whose points read so, by slice and number; `done` where they will not read otherwise.
+    pub(crate) fn told(&self, readings: &[Estimate], done: bool) -> Value {
         let told = |reading: Estimate| json!([reading.value, reading.error]);
         let meters = self.meters.iter().filter_map(|(id, points)| {
             let reading = Kind::reading(readings.get(points.clone())?);
-            Some((id.to_string(), json!({"lux": told(reading)})))
+            Some((id.to_string(), json!({"lux": told(reading), "done": done})))
         });
         let grids = self.grids.iter().filter_map(|(id, points, factor)| {
             let readings = readings.get(points.clone())?;
@@ -109,7 +109,8 @@ impl Layout {
             let lux: Vec<f64> = readings.iter().map(|reading| reading.value * factor).collect();
             let told = json!({
                 "lux": lux, "mean": s.mean.value, "error": s.mean.error, "min": s.least.value, "max": s.greatest.value,
-                "uniformity": s.uniformity.value, "diversity": s.diversity.value, "count": s.count,
+                "uniformity": s.uniformity.value, "uniformity_error": s.uniformity.error, "diversity": s.diversity.value,
+                "count": s.count, "done": done,
             });
             Some((id.to_string(), told))
         });

@@ -110,7 +110,9 @@ export interface Meter {
     point: Vec;
     normal: Vec;
     lux?: Measured | null;
-    /** What it shall read [lx]. */
+    /** No batch will change it. */
+    done?: boolean;
+    /** What it shall read at least [lx]. */
     target?: number | null;
 }
 
@@ -128,8 +130,11 @@ export interface Grid {
     min?: number | null;
     max?: number | null;
     uniformity?: number | null;
-    /** ± of the mean [lx]. */
+    /** ± of the mean [lx], and of the uniformity. */
     error?: number | null;
+    uniformity_error?: number | null;
+    /** No batch will change them. */
+    done?: boolean;
     target?: { lux: number; uniformity: number } | null;
 }
 

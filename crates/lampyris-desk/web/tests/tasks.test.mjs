@@ -113,21 +113,21 @@ test('hang a lamp over the table and aim it', { skip }, async (t) => {
     await page.keyboard.press('Escape');
 });
 
-/** What the strip says of the one area: mean [lx] and uniformity. */
+/** What the strip says of the one area: mean [lx], uniformity, and whether they reach the target: ✓, ✗, or ≈ while that is open. */
 const area = async () => {
     const text = await page.locator('.readings .reading').innerText();
     const [, mean] = /Ē ([\d.]+) lx/.exec(text) ?? [0, NaN];
     const [, uniformity] = /U₀ ([\d.]+)/.exec(text) ?? [0, NaN];
-    return { mean: Number(mean), uniformity: Number(uniformity), met: text.includes('✓'), text };
+    return { mean: Number(mean), uniformity: Number(uniformity), verdict: /[✓✗≈]/.exec(text)?.[0], text };
 };
 
-/** Waits until figures are known, and no longer grey. */
+/** Waits for other figures that are known, no longer grey, and decided against the target. */
 const measured = async (change) => {
     const begun = performance.now();
     await page.waitForFunction((old) => {
         const reading = document.querySelector('.readings .reading');
-        return /Ē \d/.test(reading?.innerText) && reading.innerText !== old && !reading.querySelector('.unsettled');
-    }, change, { timeout: 180_000 });
+        return /Ē \d/.test(reading?.innerText) && /[✓✗]/.test(reading.innerText) && reading.innerText !== old && !reading.querySelector('.unsettled');
+    }, change, { timeout: 300_000 });
     waited += performance.now() - begun;
 };
 
@@ -146,18 +146,19 @@ test('reach 500 lx with a uniformity of 0.6 on the desk', { skip }, async (t) =>
         // Over what stands on it.
         await person.type(page.getByLabel('Corner Z'), '+=0.15');
         await measured('');
-        // The lamp of the desk would spot it; the panel above lights all of it.
+        // The lamp of the desk would spot it; the panel above lights all of it. A person aims comfortably above.
         for (let k = 0; k < 4; k++) {
-            const { mean, met, text } = await area();
-            if (met) break;
+            const { mean, verdict, text } = await area();
+            if (verdict === '✓') break;
             const panel = person.fader('panel_desk').getByLabel(/level, typed/);
             const level = numberOf(await panel.inputValue());
-            await person.type(panel, String(Math.ceil((level * 540) / mean)));
+            await person.type(panel, String(Math.ceil((level * 560) / mean)));
             await measured(text);
         }
     });
-    const { mean: lux, uniformity, met, text } = await area();
-    assert.ok(met && lux >= 500 && uniformity >= 0.6, text);
+    const { mean: lux, uniformity, verdict, text } = await area();
+    t.diagnostic(text.replace(/\s+/g, ' '));
+    assert.ok(verdict === '✓' && lux >= 500 && uniformity >= 0.6, text);
 });
 
 test('show before and after', { skip }, async (t) => {

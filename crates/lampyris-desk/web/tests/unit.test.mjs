@@ -6,7 +6,7 @@ import { browserless, load } from './bundle.mjs';
 
 browserless();
 const page = await load('units', 'camera', 'vec', 'swatch');
-const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/tools');
+const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/tools', 'later/verdict');
 
 const near = (a, b, within = 1e-9) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 const nearVec = (a, b, within = 1e-9) => a.forEach((v, k) => near(v, b[k], within));
@@ -220,6 +220,30 @@ test('the spacing of grids is that of the standard', () => {
     near(later.spacing(10), 1);
     near(later.spacing(100), 5);
     near(later.spacing(1e6), 10);
+});
+
+test('a verdict waits until the ± allows it, and is the plain comparison when figures are final', () => {
+    const of = (value, error, least = 500) => ({ value, error, least });
+    const cases = [
+        [[of(522, 22)], 'met'], [[of(521.9, 22)], 'open'], [[of(500, 0)], 'met'], [[of(478, 22)], 'open'], [[of(477.9, 22)], 'missed'],
+        [[of(1e6, null)], 'open'], [[of(0, null)], 'open'], [[of(530, Infinity)], 'open'], [[of(1, 1, 0)], 'met'],
+        // All must be met; one that is surely missed decides.
+        [[of(530, 22), of(0.65, 0.04, 0.6)], 'met'], [[of(530, 22), of(0.63, 0.04, 0.6)], 'open'],
+        [[of(530, 22), of(0.55, 0.04, 0.6)], 'missed'], [[of(510, 22), of(0.55, 0.04, 0.6)], 'missed'], [[of(510, 22), of(0.7, null, 0.6)], 'open'],
+    ];
+    for (const [figures, expected] of cases) {
+        assert.equal(later.verdict(figures, false), expected, JSON.stringify(figures));
+        const plain = figures.every(({ value, least }) => value >= least) ? 'met' : 'missed';
+        assert.equal(later.verdict(figures, true), plain, JSON.stringify(figures));
+    }
+    // Wherever the truth lies within the ±, what is decided is true of it, and what becomes known better is never turned round.
+    for (let value = 450; value <= 550; value += 5) for (const error of [0, 3, 20, 60]) {
+        const told = later.verdict([of(value, error)], false);
+        for (let share = -1; share <= 1; share += 0.25) {
+            const truth = value + share * error;
+            if (told !== 'open') assert.equal(later.verdict([of(truth, 0)], true), told);
+        }
+    }
 });
 
 test('check bytes make a code divisible by its generator', () => {

@@ -3,6 +3,7 @@
 import {
     deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
 } from '../desk';
+import { gridIsPoor, gridVerdict, meterIsPoor, meterVerdict, Said } from './figures';
 import { spacing } from './tools';
 import { changed, Line, Name, Section, Triple } from './parts';
 
@@ -13,13 +14,13 @@ export function MeterInspector() {
     const meter = meters.get(id);
     if (!meter) return <p class="quiet empty">This meter is gone.</p>;
     const set = (label: string, change: Partial<Meter>) => {
-        const { lux: _, ...kept } = { ...meter, ...change };
+        const { lux: _, done: __, ...kept } = { ...meter, ...change };
         edit(`${meter.name}: ${label}`, { meters: { [id]: kept } });
     };
     return (
         <>
             <header class="panel-head"><Name label="Name of the meter" value={meter.name} set={(name) => set('rename', { name })} /></header>
-            <p class="crumbs">{meter.lux?.[1] != null ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
+            <p class={`crumbs ${meterIsPoor(meter) ? 'unsettled' : 'known'}`}>{meter.lux?.[1] != null ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
             <div class="scroll">
                 <Section title="Meter">
                     <label class="line">
@@ -29,7 +30,8 @@ export function MeterInspector() {
                         </select>
                     </label>
                     <Triple label="Point" quantity="length" step={0.01} value={meter.point} set={(axis, apply) => set('move', { point: changed(meter.point, axis, apply) })} />
-                    <Line label="Shall read" quantity="lux" step={50} value={meter.target ?? 0} set={(apply) => set('target', { target: apply(meter.target ?? 0) || null })} />
+                    <Line label="At least" quantity="lux" step={50} value={meter.target ?? 0} set={(apply) => set('target', { target: apply(meter.target ?? 0) || null })} />
+                    <Said of={meterVerdict(meter)} />
                     <Triple label="Faces" quantity="number" step={0.1} value={meter.normal.map((v) => Math.round(v * 1e3) / 1e3)} set={(axis, apply) => set('turn', { normal: changed(meter.normal, axis, apply) })} />
                     <button class="plain full" onClick={() => {
                         deselect();
@@ -58,6 +60,7 @@ export function GridInspector() {
         set('standard spacing', { columns: Math.max(1, Math.ceil(length(grid.u) / p)), rows: Math.max(1, Math.ceil(length(grid.v) / p)) });
     };
     const figure = (name: string, value: number | null | undefined, text: (v: number) => string) => <><dt>{name}</dt><dd>{value == null ? '…' : text(value)}</dd></>;
+    const off = (value: number | null | undefined, text: (v: number) => string) => (value == null ? '' : ` ±${text(value)}`);
     const target = grid.target ?? { lux: 500, uniformity: 0.6 };
     return (
         <>
@@ -65,16 +68,16 @@ export function GridInspector() {
             <p class="crumbs">{digits(length(grid.u), 2)} × {digits(length(grid.v), 2)} m, {digits(grid.columns * grid.rows)} points</p>
             <div class="scroll">
                 <Section title="Figures" note={kept === 1 ? 'new' : `× ${digits(kept, 2)}`}>
-                    <dl class="figures">
-                        {figure('Ē', grid.mean, (v) => luxText(v * kept))}
+                    <dl class={`figures ${gridIsPoor(grid) ? 'unsettled' : ''}`}>
+                        {figure('Ē', grid.mean, (v) => luxText(v * kept) + off(grid.error, (e) => luxText(e * kept, false)))}
                         {figure('E min', grid.min, (v) => luxText(v * kept))}
                         {figure('E max', grid.max, (v) => luxText(v * kept))}
-                        {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2))}
+                        {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2) + off(grid.uniformity_error, (e) => digits(e, 2)))}
                         {figure('U d = min / max', grid.max ? (grid.min ?? 0) / grid.max : null, (v) => digits(v, 2))}
-                        {figure('± of Ē', grid.error, (v) => luxText(v * kept))}
                     </dl>
                 </Section>
                 <Section title="Target">
+                    <Said of={gridVerdict(grid)} />
                     <label class="line">
                         <span>Class</span>
                         <select aria-label="Class of the target" value="" onChange={(e) => {

@@ -1,10 +1,10 @@
 // The strip under the view: looks, and what meters and grids say.
 
 import {
-    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, signal, status,
-    storeLook,
+    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, signal, storeLook,
 } from '../desk';
 import { saveCsv } from './csv';
+import { gridIsPoor, gridVerdict, Mark, meterIsPoor, meterVerdict } from './figures';
 
 const tab = signal<'looks' | 'meters'>('looks');
 
@@ -72,9 +72,6 @@ function LookMenu({ id, name }: { id: number; name: string }) {
     );
 }
 
-/** True while figures are still on their way. */
-const settling = () => status.value?.stage === 'moving' || status.value?.stage === 'refining' || status.value?.stage === 'loading';
-
 function Readings() {
     const kept = maintenance.value;
     return (
@@ -92,12 +89,11 @@ function Readings() {
             <ul>
                 {meters.all().map(([id, meter]) => {
                     const lux = meter.lux;
-                    const poor = lux?.[1] == null || lux[1] > 0.02 * lux[0] || settling();
                     return (
                         <li key={`m${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'meter' && selection.value.ids.includes(id)} onClick={() => select('meter', id)}>
-                                <span class="tint"><Icon name="meter" />{meter.name}</span>
-                                <strong class={poor ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
+                                <span class="tint"><Icon name="meter" />{meter.name} <Mark of={meterVerdict(meter)} /></span>
+                                <strong class={meterIsPoor(meter) ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
                                 <small>
                                     {lux?.[1] != null ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
                                     {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
@@ -108,14 +104,11 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
-                    // ± of a mean takes its points to be off all the same way: it is wider than that of a meter.
-                    const poor = grid.mean == null || grid.error == null || grid.error > 0.05 * grid.mean || settling();
-                    const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'grid' && selection.value.ids.includes(id)} onClick={() => select('grid', id)}>
-                                <span class="tint"><Icon name="grid" />{grid.name} {target && grid.mean != null && <b class={met ? 'met' : 'missed'}>{met ? '✓' : '✗'}</b>}</span>
-                                <strong class={poor ? 'unsettled' : ''}>
+                                <span class="tint"><Icon name="grid" />{grid.name} <Mark of={gridVerdict(grid)} /></span>
+                                <strong class={gridIsPoor(grid) ? 'unsettled' : ''}>
                                     {grid.mean == null ? '…' : `Ē ${luxText(grid.mean * kept)}${grid.error == null ? '' : ` ±${luxText(grid.error * kept, false)}`}`}
                                 </strong>
                                 <small>
