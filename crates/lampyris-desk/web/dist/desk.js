@@ -1,5 +1,5 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ls, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], us = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
@@ -23,7 +23,7 @@ function Ne(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function us(e) {
+function cs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
   a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
 }
@@ -37,19 +37,19 @@ function Gr(e) {
 }
 function ti() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && cs(e);
   } finally {
     (Tn = Fe.length) && (xo || queueMicrotask)(ti);
   }
 }
 function ni(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = fs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function cs(e, t, n, o, r) {
+function fs(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = fs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ps(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -71,7 +71,7 @@ function oi(e, t, n, o) {
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function fs(e, t, n, o) {
+function ps(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -90,7 +90,7 @@ function Mn(e, t, n, o, r) {
     if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
     if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ds(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ps(e) {
+function ds(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -112,13 +112,13 @@ function ps(e) {
   };
 }
 function Po(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k, _, C, Me, Je, fe, ve, h, v, $, L = t.type;
+  var u, d, m, f, b, y, w, x, k, _, C, Ce, Je, fe, ve, h, v, $, L = t.type;
   if (t.constructor !== zt) return null;
   128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = En(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ms), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = hs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
@@ -129,9 +129,9 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
           f.componentDidUpdate(b, y, w);
         });
       } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Je = k ? 25 : 0;
+      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Ce = E.__r, Je = k ? 25 : 0;
       do
-        f.__g &= -9, Me && Me(t), u = f.render(f.props, f.state = f.__s, f.context);
+        f.__g &= -9, Ce && Ce(t), u = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Je < 25);
       k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
         V && Lo(V, V);
@@ -156,7 +156,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
       else t.__e = n.__e;
       t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
     }
-  } else s = t.__e = ds(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = ms(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
 function En(e, t) {
@@ -183,7 +183,7 @@ function ii(e, t, n) {
     }
   });
 }
-function ds(e, t, n, o, r, i, a, s, p, c) {
+function ms(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function ds(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && us.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -223,7 +223,7 @@ function Lo(e, t, n) {
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ms(e, t, n) {
+function hs(e, t, n) {
   return this.constructor(e, n);
 }
 function ai(e, t) {
@@ -249,22 +249,22 @@ E = { __e: function(e, t, n, o) {
   this.__v && (this.__g |= 4, e && this.__h.push(e), Gr(this));
 }, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
+}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ls = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, si, hs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
+var Xt, ie, Vo, si, vs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
 function Oo(e, t) {
-  j.__h && j.__h(re, e, Io || t), Io = 0;
-  var n = re.__H || (re.__H = { __: [], __h: [] });
+  j.__h && j.__h(ie, e, Io || t), Io = 0;
+  var n = ie.__H || (ie.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function Ce(e, t) {
+function Ee(e, t) {
   var n = Oo(Xt++, 3);
-  !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
+  !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ie.__H.__h.push(n));
 }
-function vs(e, t) {
+function gs(e, t) {
   var n = Oo(Xt++, 4);
-  !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+  !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, ie.__h.push(n));
 }
 function te(e) {
   return Io = 5, Ln(function() {
@@ -275,7 +275,7 @@ function Ln(e, t) {
   var n = Oo(Xt++, 7);
   return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function gs() {
+function bs() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
@@ -294,21 +294,21 @@ function gs() {
   } while (Ao.length);
 }
 j.__b = function(e) {
-  re = null, li && li(e);
+  ie = null, li && li(e);
 }, j.__ = function(e, t) {
   e && t.__k && t.__k.__m && (e.__m = t.__k.__m), di && di(e, t);
 }, j.__r = function(e) {
   ui && ui(e), Xt = 0;
-  var t = (re = e.__c).__H;
-  t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
+  var t = (ie = e.__c).__H;
+  t && (Vo == ie ? ie.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Vo = re;
+  })), Vo = ie;
 }, j.diffed = function(e) {
   ci && ci(e);
   var t = e.__c;
   t && t.__H && (t.__H.__h.length && hi(vi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Vo = re = null;
+  })), Vo = ie = null;
 }, j.__c = function(e, t) {
   t.some(function(n) {
     try {
@@ -339,34 +339,34 @@ j.__b = function(e) {
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
 var mi = typeof requestAnimationFrame == "function";
-function bs(e) {
+function ys(e) {
   var t, n = function() {
     clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
   mi && (t = requestAnimationFrame(n));
 }
 function hi(e) {
-  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || bs)(gs);
+  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || ys)(bs);
 }
 function Gt(e) {
-  var t = re, n = e.__c;
-  typeof n == "function" && (e.__c = void 0, n()), re = t;
+  var t = ie, n = e.__c;
+  typeof n == "function" && (e.__c = void 0, n()), ie = t;
 }
 function Ro(e) {
-  var t = re;
-  e.__c = e.__(), re = t;
+  var t = ie;
+  e.__c = e.__(), ie = t;
 }
 function Ho(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !hs(n, e[o]);
+    return !vs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ys = /* @__PURE__ */ Symbol.for("preact-signals");
+var _s = /* @__PURE__ */ Symbol.for("preact-signals");
 function Rn() {
-  if (Re > 1)
-    Re--;
+  if (Oe > 1)
+    Oe--;
   else {
     var e, t = !1;
     for ((function() {
@@ -388,12 +388,12 @@ function Rn() {
         n = o;
       }
     }
-    if (Vn = 0, Re--, t) throw e;
+    if (Vn = 0, Oe--, t) throw e;
   }
 }
 function On(e) {
-  if (Re > 0) return e();
-  Ko = ++_s, Re++;
+  if (Oe > 0) return e();
+  Ko = ++ws, Oe++;
   try {
     return e();
   } finally {
@@ -401,7 +401,7 @@ function On(e) {
   }
 }
 var Yt, O = void 0;
-function ie(e) {
+function re(e) {
   var t = O, n = Yt;
   O = void 0, Yt = void 0;
   try {
@@ -410,7 +410,7 @@ function ie(e) {
     O = t, Yt = n;
   }
 }
-var Qt = void 0, Re = 0, Vn = 0, _s = 0, Ko = 0, In = void 0, An = 0;
+var Qt = void 0, Oe = 0, Vn = 0, ws = 0, Ko = 0, In = void 0, An = 0;
 function gi(e) {
   if (O !== void 0) {
     var t = e.n;
@@ -423,13 +423,13 @@ function gi(e) {
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ys;
+Y.prototype.brand = _s;
 Y.prototype.h = function() {
   return !0;
 };
 Y.prototype.S = function(e) {
   var t = this, n = this.t;
-  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : ie(function() {
+  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : re(function() {
     var o;
     (o = t.W) == null || o.call(t);
   }));
@@ -438,7 +438,7 @@ Y.prototype.U = function(e) {
   var t = this;
   if (this.t !== void 0) {
     var n = e.e, o = e.x;
-    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && ie(function() {
+    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && re(function() {
       var r;
       (r = t.Z) == null || r.call(t);
     }));
@@ -448,7 +448,7 @@ Y.prototype.subscribe = function(e) {
   var t = this;
   return T(function() {
     var n = t.value;
-    ie(function() {
+    re(function() {
       return e(n);
     });
   }, { name: "sub" });
@@ -464,7 +464,7 @@ Y.prototype.toJSON = function() {
 };
 Y.prototype.peek = function() {
   var e = this;
-  return ie(function() {
+  return re(function() {
     return e.value;
   });
 };
@@ -475,8 +475,8 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
   if (e !== this.v) {
     if (Vn > 100) throw new Error("Cycle detected");
     (function(n) {
-      Re !== 0 && Vn === 0 && n.l !== Ko && (n.l = Ko, In = { S: n, v: n.v, i: n.i, o: In });
-    })(this), this.v = e, this.i++, An++, Re++;
+      Oe !== 0 && Vn === 0 && n.l !== Ko && (n.l = Ko, In = { S: n, v: n.v, i: n.i, o: In });
+    })(this), this.v = e, this.i++, An++, Oe++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
@@ -557,7 +557,7 @@ function N(e, t) {
 function wi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Re++;
+    Oe++;
     var n = O;
     O = void 0;
     try {
@@ -573,7 +573,7 @@ function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
   e.x = void 0, e.s = void 0, wi(e);
 }
-function ws(e) {
+function ks(e) {
   if (O !== this) throw new Error("Out-of-order effect");
   _i(this), O = e, this.f &= -2;
   try {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, wi(this), yi(this), Re++;
+  this.f |= 1, this.f &= -9, wi(this), yi(this), Oe++;
   var e = O;
-  return O = this, ws.bind(this, e);
+  return O = this, ks.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
+var Fo, Zt, Hn, xs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
 T(function() {
   Fo = this.N;
 })();
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        ks && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        xs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,13 +712,13 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = xs(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = Ss(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function xs(e, t, n, o) {
+function Ss(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
@@ -777,38 +777,38 @@ function nt(e, t) {
     return g(e, t);
   }, []);
 }
-var Ss = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Ms = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Ms = function(e) {
+}, Cs = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Cs() {
+function Es() {
   On(function() {
     for (var e; e = ki.shift(); ) Fo.call(e);
   });
 }
-function Es() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
-}
 function Ts() {
+  ki.push(this) === 1 && (E.requestAnimationFrame || Ms)(Es);
+}
+function Ps() {
   On(function() {
     for (var e; e = xi.shift(); ) Fo.call(e);
   });
 }
 function Mi() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+  xi.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ps);
 }
 function Ci(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
-  Ce(function() {
+  Ee(function() {
     return T(function() {
-      if (this.N = Es, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Ts, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
@@ -818,13 +818,13 @@ var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ps = (e, t, n) => I(S(e, 1 - n), S(t, n));
+], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(K(e, t)), $s = (e, t, n) => I(S(e, 1 - n), S(t, n));
 function J(e, t = [0, 0, 1]) {
-  let n = Oe(e);
+  let n = be(e);
   return n > 1e-12 ? S(e, 1 / n) : t;
 }
 function ot(e) {
-  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
+  let t = Math.abs(e[0]) < 0.7 * be(e) ? [1, 0, 0] : [0, 1, 0];
   return J(ge(t, e));
 }
 function en(e, t, n) {
@@ -838,7 +838,7 @@ function _t([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => Ps(e, t, 0.5);
+var qe = ([e, t]) => $s(e, t, 0.5);
 
 // src/camera.ts
 var No = Math.PI / 180, Kn = 89 * No;
@@ -850,16 +850,16 @@ function tn(e, t) {
   let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function $s(e, t, n) {
+function Ls(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
 }
 function Ei(e, t, n, o) {
-  let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
+  let r = K(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(be(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, S(d, i)) };
 }
 function Ti(e, t, n, o, r) {
-  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
+  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(be(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
   return je(e, c);
 }
 function Pi(e, t, n, o, r) {
@@ -883,7 +883,7 @@ function Li(e, t, n, o, r) {
   return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
 }
 function Dn(e, t, n, o, r) {
-  let i = K(t, e.eye), a = Oe(i);
+  let i = K(t, e.eye), a = be(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
   return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), je(e, S(i, s / a));
@@ -904,7 +904,7 @@ function Vi(e, t, n = 0.4) {
   let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
   return { ...e, eye: I(o, S(i, a)), target: o };
 }
-var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
+var Vs = ["plan", "ceiling", "north", "east", "south", "west"];
 function Ii(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
   return { right: J(ge(n, e)), ahead: n };
@@ -1005,7 +1005,7 @@ function Ki(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
-var Ee = class {
+var Te = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
   /** Grows when an entry is called otherwise or belongs elsewhere: what lists are made of. */
@@ -1047,16 +1047,16 @@ var Ee = class {
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, M = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), qn = new Ee(), rn = {
+}, M = new Te(), D = new Te(), ye = new Te(), xt = new Te(), St = new Te(), Mt = new Te(), Ct = new Te(), qn = new Te(), rn = {
   lamps: M,
   groups: D,
-  things: be,
+  things: ye,
   materials: xt,
   views: St,
   looks: Mt,
   meters: Ct,
   grids: qn
-}, Z = g(null), sn = g([]), ke = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), jn = new on({
+}, Z = g(null), sn = g([]), xe = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Pe = g(null), jn = new on({
   ev: null,
   metered: !1,
   tone: "filmic",
@@ -1065,11 +1065,11 @@ var Ee = class {
 }), at = jn.shown, qo = {
   scene: Z,
   layers: sn,
-  solo: ke,
+  solo: xe,
   history: rt,
   saved: it,
   editor: F,
-  status: Te
+  status: Pe
 };
 function Di(e) {
   Nn.clear();
@@ -1109,7 +1109,7 @@ var qi = N(() => {
   let e = M.all();
   return e.length > 0 && e.every(([, t]) => st(t) === 0);
 });
-function Vs(e, t) {
+function Is(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
@@ -1118,17 +1118,17 @@ function Vs(e, t) {
 var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
   ji = e;
 }, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
-function xe(e, t) {
+function Se(e, t) {
   let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
   return Bn.set(e, n.add(t)), () => n.delete(t);
 }
 function H(e) {
   return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Oi(ln, e.do), ln);
 }
-var Is = 0, lt = /* @__PURE__ */ new Map();
-function Se(e, t, n, o = () => {
+var As = 0, lt = /* @__PURE__ */ new Map();
+function Me(e, t, n, o = () => {
 }) {
-  let r = ++Is, i = xe("answer", (s) => {
+  let r = ++As, i = Se("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = H({ do: "ask", id: r, what: e, ...t });
   if (!a)
@@ -1142,7 +1142,7 @@ function Se(e, t, n, o = () => {
   }
   return i;
 }
-function As(e) {
+function Rs(e) {
   switch (e.is) {
     case "hello":
       if (un = 0, Wo !== null && e.build !== Wo) {
@@ -1158,7 +1158,7 @@ function As(e) {
       (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Ke.value);
       break;
     case "status":
-      Te.value = e;
+      Pe.value = e;
       break;
     case "refused":
       if (Bo(e.seq), Et(Ke.value), lt.has(e.seq)) {
@@ -1199,13 +1199,13 @@ function Bi() {
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), As(r);
+    r.is === "hello" && (n = !0, ln = 0), Rs(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Rs(n));
+    t === Ue && (Ue = null, U.value !== "renewed" && Os(n));
   };
 }
-async function Rs(e) {
-  if (Et(1 / 0), !e && await Os()) {
+async function Os(e) {
+  if (Et(1 / 0), !e && await Hs()) {
     let o = await Wi();
     if (o === "denied" || o === "in" && un > 4 && !Tt) {
       U.value = "denied";
@@ -1220,7 +1220,7 @@ async function Rs(e) {
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
   cn.value = 0, Bi();
 }
-async function Os() {
+async function Hs() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
@@ -1235,11 +1235,11 @@ async function zi() {
   }
   Bi();
 }
-xe("hello", () => zn = !1);
+Se("hello", () => zn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
-function Hs(e) {
+var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), $e = null, zo = null, Go = !1, ut = null;
+function Ks(e) {
   if (e.byteLength < Xi) return null;
   let t = new DataView(e);
   return { head: {
@@ -1256,28 +1256,28 @@ function Hs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ks(e) {
-  let t = Hs(e);
-  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Ds(), t.head) : null;
+function Ds(e) {
+  let t = Ks(e);
+  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Fs(), t.head) : null;
 }
-async function Ds() {
+async function Fs() {
   for (Go = !0; ut; ) {
     let { head: e, mime: t, bytes: n, received: o } = ut;
     ut = null;
     try {
       let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
-      Fs(e, r, n.byteLength, o);
+      Ns(e, r, n.byteLength, o);
     } catch {
     }
     H({ do: "ack", frame: e.frame });
   }
   Go = !1;
 }
-function Fs(e, t, n, o) {
+function Ns(e, t, n, o) {
   let r = performance.now();
-  Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
+  $e && zo && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), zo.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Hi({
+  i && (W.value = { head: e, camera: i }), qs(), Hi({
     frame: e.frame,
     seq: e.seq,
     kind: Gi.indexOf(e.kind),
@@ -1294,33 +1294,33 @@ function Fs(e, t, n, o) {
   });
 }
 var Gn = [];
-function Ns() {
+function qs() {
   let e = performance.now();
   Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), $t.value = Gn.length;
 }
 function Xo(e) {
-  Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
+  $e = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
 function Yi() {
-  if (!Pe || !W.peek()) return null;
+  if (!$e || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
+  return e.width = $e.width, e.height = $e.height, e.getContext("2d", { alpha: !1 })?.drawImage($e, 0, 0), e;
 }
-Ui(Ks);
-xe("camera", (e) => {
+Ui(Ds);
+Se("camera", (e) => {
   Pt.set(e.number, e);
   for (let t of Pt.keys()) {
     if (Pt.size <= 64) break;
     Pt.delete(t);
   }
 });
-xe("line", () => {
+Se("line", () => {
   Pt.clear(), ut = null;
 });
 
 // src/prefs.ts
 var Qi = "lampyris-";
-function ue(e, t) {
+function se(e, t) {
   let n = t;
   try {
     let r = localStorage.getItem(Qi + e);
@@ -1336,13 +1336,13 @@ function ue(e, t) {
     }
   }), o;
 }
-var Yo = ue("theme", "dark"), Qo = ue("house-lights", 1), Xn = ue("hands", "default"), Jo = ue("walking", "walk"), Zo = ue("panels", !0), Lt = ue("listing", "faders"), Yn = ue("travel", "square"), Vt = ue("candles", "lx"), er = ue("single-keys", !0), tr = ue("lamp-marks", !0), qs = ue("maintenance", 1), We = ue("fine", !1), nr = ue("fade", 1), js = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", js);
+var Yo = se("theme", "dark"), Qo = se("house-lights", 1), Xn = se("hands", "default"), Jo = se("walking", "walk"), Zo = se("panels", !0), Lt = se("listing", "faders"), Yn = se("travel", "square"), Vt = se("candles", "lx"), er = se("single-keys", !0), tr = se("lamp-marks", !0), js = se("maintenance", 1), Us = se("work-plane", 0.75), We = se("fine", !1), nr = se("fade", 1), Ws = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, _e = se("look-only", Ws);
 
 // src/say.ts
-var ct = g([]), Us = 0;
-function se(e, t = "plain") {
+var ct = g([]), Bs = 0;
+function le(e, t = "plain") {
   if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++Us;
+  let o = ++Bs;
   ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
 }
 function or(e) {
@@ -1352,7 +1352,7 @@ function or(e) {
 // src/gesture.ts
 var It = 0, ea = /* @__PURE__ */ new Set(), ta = (e) => {
   ea.add(e);
-}, fn = /* @__PURE__ */ new Set(), Qn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+}, fn = /* @__PURE__ */ new Set(), Qn = N(() => _e.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function Jn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
 }
@@ -1390,8 +1390,8 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = ie(Jn);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
+    let t = re(Jn);
+    return t ? (le(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
@@ -1400,57 +1400,57 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
     fn.delete(this), It = Math.max(0, It - 1), It === 0 && H(t);
   }
 };
-function Le(e, t) {
+function Ve(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Ws(e, t) {
+function zs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
 function At(e) {
-  ie(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, H({ do: "display", patch: e })));
+  re(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, H({ do: "display", patch: e })));
 }
-var $e = null;
+var Le = null;
 function rr(e, t, n) {
-  $e && $e.key !== e && Zi(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(Zi, 700);
+  Le && Le.key !== e && Zi(), Le ??= { key: e, gesture: new Be(t), timer: 0 }, Le.gesture.set(n), clearTimeout(Le.timer), Le.timer = window.setTimeout(Zi, 700);
 }
 function Zi() {
-  $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
+  Le && (clearTimeout(Le.timer), Le.gesture.end(), Le = null);
 }
 T(() => {
-  Ke.value, ie(() => [...fn].forEach((e) => e.followed()));
+  Ke.value, re(() => [...fn].forEach((e) => e.followed()));
 });
 T(() => {
   U.value !== "open" && [...fn].forEach((e) => e.drop());
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Bs = g(0.5);
-function zs() {
+var pn = g(null), de = g(null), Gs = g(0.5);
+function Xs() {
   let e = W.peek(), t = Yi();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
 function ir() {
-  de.peek() !== "wipe" && zs();
+  de.peek() !== "wipe" && Xs();
 }
 ta(ir);
 function na() {
   let e = pn.peek(), t = W.peek();
-  if (!e || !t) se("Nothing has been changed yet.");
-  else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  if (!e || !t) le("Nothing has been changed yet.");
+  else if (!nn(e.camera, t.camera)) le("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
 function dn(e) {
   e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Gs() {
+function Ys() {
   de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), z = g(null), Xs = g("move"), le = N(() => {
+var P = g(null), me = g(null), z = g(null), Qs = g("move"), ue = N(() => {
   let e = P.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
@@ -1474,8 +1474,8 @@ function oa(e, t, n) {
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Ys(e) {
-  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
+function Js(e) {
+  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
@@ -1487,7 +1487,7 @@ function ra(e, t) {
     case "group":
       return D.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return be.get(t)?.name ?? `thing ${t}`;
+      return ye.get(t)?.name ?? `thing ${t}`;
     case "material":
       return xt.get(t)?.name ?? `material ${t}`;
     default:
@@ -1515,7 +1515,7 @@ function ia(e, t) {
 var to = g(null);
 
 // src/navigate.ts
-var Qs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
+var Zs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => Z.value?.up ?? [0, 0, 1]), we = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
@@ -1523,10 +1523,10 @@ function Q(e, t = null) {
   n && (o - ur > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
 }
 var ne = () => he.peek();
-function Js() {
+function el() {
   la(Ge, cr);
 }
-function Zs() {
+function tl() {
   la(cr, Ge);
 }
 function la(e, t) {
@@ -1546,11 +1546,11 @@ T(() => {
 });
 T(() => {
   let e = W.value;
-  e && ie(() => {
+  e && re(() => {
     he.peek() && sa.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
   });
 });
-xe("hello", () => mn = null);
+Se("hello", () => mn = null);
 function Kt(e, t) {
   let n = W.peek();
   if (!n) return null;
@@ -1558,21 +1558,21 @@ function Kt(e, t) {
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
 function hn(e, t) {
-  let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
+  let [n, o] = we.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
 function ft(e = he.peek()) {
-  let [t, n] = _e.peek();
+  let [t, n] = we.peek();
   return e ? wt(e, t, n) : null;
 }
 var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
 function no(e, t) {
   let n = ne();
-  n && Q(Ei(n, Ve.peek(), e, t));
+  n && Q(Ei(n, Ie.peek(), e, t));
 }
 function oo(e, t, n) {
   let o = ne();
-  o && Q($i(o, Ve.peek(), e, t, n));
+  o && Q($i(o, Ie.peek(), e, t, n));
 }
 function Ft(e, t, n) {
   let o = ne(), r = ft();
@@ -1586,21 +1586,21 @@ function ua(e, t, n) {
       r && Q(je(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ve.peek(), e, t, n)) : (Q(Ti(o, Ve.peek(), e, t, 0)), el());
+    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ie.peek(), e, t, n)) : (Q(Ti(o, Ie.peek(), e, t, 0)), nl());
   }
 }
 var Rt = !1, sr = !0, aa = null;
-function el() {
+function nl() {
   let e = ne();
   if (!e || Rt || !sr) return;
-  let t = Ve.peek();
+  let t = Ie.peek();
   Rt = !0;
-  let n = Se("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
+  let n = Me("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
     Rt = !1, sr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
     aa = q(o.point, t);
-    let i = aa + Qs - q(r.eye, t);
+    let i = aa + Zs - q(r.eye, t);
     Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
   }, () => {
     Rt = !1, sr = !1;
@@ -1609,49 +1609,49 @@ function el() {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function tl() {
+function ol() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(M.get(i)?.box, M.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
+    if (e.kind === "lamp" && n(M.get(i)?.box, M.get(i)?.place?.position), e.kind === "thing" && n(ye.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
       for (let a of D.get(i)?.lamps ?? []) n(M.get(a)?.box, M.get(a)?.place?.position);
   if (!t.length) return null;
   let o = t.flatMap(_t), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
 function fr() {
-  let e = ne(), t = tl();
+  let e = ne(), t = ol();
   e && t ? Q(Vi(e, t), "selection") : pr();
 }
 function pr() {
   lr && Q(lr, "home");
 }
-function nl(e) {
-  let [t, n] = _e.peek();
-  Q(Ai(e, Ot(), Ve.peek(), t / n), e);
+function rl(e) {
+  let [t, n] = we.peek();
+  Q(Ai(e, Ot(), Ie.peek(), t / n), e);
 }
-function ol() {
+function il() {
   for (let e = Ge.length - 1; e >= 0; e--)
     if (!Ge[e].height) return Q(Ge[e], "inside");
   pr();
 }
-var rl = N(() => {
+var al = N(() => {
   let e = he.value;
   if (!e?.height) return null;
-  let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
+  let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ie.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ie.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ie.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function il(e) {
+function sl(e) {
   let t = ne();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
 var dr = g("spot"), ca = () => {
-}, al = (e) => {
+}, ll = (e) => {
   ca = e;
 }, fa = (e) => ca(e);
 function mr(e) {
@@ -1663,20 +1663,20 @@ function hr(e) {
 }
 
 // src/actions.ts
-var pt = g(null), Ie = g("lamps"), gr = g("");
+var pt = g(null), Ae = g("lamps"), gr = g("");
 function ao(e) {
   let t = Jn();
-  if (t) return se(t, "warn");
+  if (t) return le(t, "warn");
   (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), H(e);
 }
-var sl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ll = {
+var ul = (e, t) => Object.fromEntries(e.map((n) => [n, t])), cl = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = ll, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
+}, vr = cl, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), fl = () => at.peek().false_color ?? vr;
 function br() {
   let e = at.peek().false_color;
   e && (vr = e), At({ false_color: e ? null : pa(vr) });
@@ -1685,13 +1685,13 @@ function so(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
   At({ ev: t });
 }
-function cl() {
+function pl() {
   let e = ne();
   if (!e) return;
   let t = ro(St);
-  Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+  Ve("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var fl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
+var dl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
 async function yr(e) {
   let t = !1;
   try {
@@ -1700,27 +1700,27 @@ async function yr(e) {
     let n = document.createElement("textarea");
     n.value = e, n.className = "spoken", document.body.append(n), n.select(), t = document.execCommand("copy"), n.remove();
   }
-  se(t ? "Copied." : `Copy it by hand: ${e}`);
+  le(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
-function pl(e) {
+function ml(e) {
   Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
 }
-var dl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
+var hl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
   let n = t?.why?.();
-  n ? se(n, "warn") : t?.run();
+  n ? le(n, "warn") : t?.run();
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var ml = /* @__PURE__ */ Symbol.for("pv"), hl = 0;
+var vl = /* @__PURE__ */ Symbol.for("pv"), gl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: ml, __v: --hl, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: vl, __v: --gl, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
@@ -1759,9 +1759,9 @@ var lo = 0.3048, ga = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, vl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+}, bl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
 function kr(e) {
-  let t = vl.exec(e);
+  let t = bl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
@@ -1817,14 +1817,14 @@ function Xe(e) {
   let t = Math.abs(e);
   return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
-function Ae(e) {
+function Re(e) {
   let t = e * 100;
   return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
 function vn(e, t) {
   switch (t) {
     case "level":
-      return `${Ae(e)} %`;
+      return `${Re(e)} %`;
     case "flux":
       return `${Xe(e)} lm`;
     case "kelvin":
@@ -1853,7 +1853,7 @@ function dt(e, t = !0) {
 // src/field.tsx
 function gn(e) {
   let t = nt(null), n = nt(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
-  Ce(() => {
+  Ee(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
@@ -2000,11 +2000,11 @@ function wa() {
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": ye.value,
+        "aria-pressed": _e.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => ye.value = !ye.value,
-        children: l(G, { name: ye.value ? "lock" : "unlock" })
+        onClick: () => _e.value = !_e.value,
+        children: l(G, { name: _e.value ? "lock" : "unlock" })
       }
     ),
     pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
@@ -2014,10 +2014,10 @@ function wa() {
       "button",
       {
         class: "icon narrow",
-        "aria-label": Ie.value === "inspector" ? "Lamps" : "Inspector",
-        title: Ie.value === "inspector" ? "Lamps" : "Inspector",
-        onClick: () => Ie.value = Ie.value === "inspector" ? "lamps" : "inspector",
-        children: l(G, { name: Ie.value === "inspector" ? "lamps" : "sliders" })
+        "aria-label": Ae.value === "inspector" ? "Lamps" : "Inspector",
+        title: Ae.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Ae.value = Ae.value === "inspector" ? "lamps" : "inspector",
+        children: l(G, { name: Ae.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
@@ -2025,15 +2025,15 @@ function wa() {
 
 // src/highlight.ts
 function uo(e) {
-  ke.value = e, H({ do: "solo", lamps: e });
+  xe.value = e, H({ do: "solo", lamps: e });
 }
 function Sr(e) {
-  let t = ke.peek(), n = e.every((o) => t.includes(o));
+  let t = xe.peek(), n = e.every((o) => t.includes(o));
   uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var gl = () => Sr(le.peek()), Mr = () => uo([]), bn = null;
+var yl = () => Sr(ue.peek()), Mr = () => uo([]), bn = null;
 function co(e) {
-  e && bn === null && le.peek().length ? (bn = ke.peek(), uo(le.peek())) : !e && bn !== null && (uo(bn), bn = null);
+  e && bn === null && ue.peek().length ? (bn = xe.peek(), uo(ue.peek())) : !e && bn !== null && (uo(bn), bn = null);
 }
 
 // src/lights.ts
@@ -2050,13 +2050,13 @@ function fo(e, t, n) {
       return;
     }
     clearTimeout(r), r = window.setTimeout(() => {
-      let i = ie(() => Ye.value);
+      let i = re(() => Ye.value);
       i && ka(i.hit);
     }, 250);
   });
 }
 function ka(e) {
-  Cr(), Cr = Se("light", { point: e.point, normal: e.normal }, (t) => {
+  Cr(), Cr = Me("light", { point: e.point, normal: e.normal }, (t) => {
     let n = Ye.peek();
     n && (Ye.value = {
       ...n,
@@ -2078,7 +2078,7 @@ var $a = g("W A S D"), Er = {
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, bl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
+}, _l = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
 function La(e) {
   let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
   if (Pr = e, !jt.size) {
@@ -2090,18 +2090,18 @@ function La(e) {
     let [p, c, u] = Er[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, He(...Ot()) / 12), a = bl * t * ho * Math.min(i, 6);
+  let i = Math.max(1, He(...Ot()) / 12), a = _l * t * ho * Math.min(i, 6);
   (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(La);
 }
 function yn(e) {
   jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(La));
 }
-var yl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+var wl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
 function Sa() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var _l = {
+var kl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2138,11 +2138,11 @@ var _l = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function wl(e) {
+function xl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function kl() {
+function Sl() {
   z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function Ta(e) {
@@ -2153,17 +2153,17 @@ function Pa(e) {
   let t = ne(), n = ft();
   !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
-function xl(e) {
+function Ml(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return kl();
-  if (yl(e.target)) {
+  if (e.key === "Escape") return Sl();
+  if (wl(e.target)) {
     t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
     if (Sa() && Ta(e)) return e.preventDefault();
-    let i = wl(e);
+    let i = xl(e);
     i && De(e, i);
     return;
   }
@@ -2194,8 +2194,8 @@ function xl(e) {
     i !== void 0 && ao({ do: "look", id: i, what: "recall", seconds: nr.peek() });
     return;
   }
-  if (mo = e.key.toLowerCase() === "j", mo) return se("Recall a look: now its digit.");
-  if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
+  if (mo = e.key.toLowerCase() === "j", mo) return le("Recall a look: now its digit.");
+  if (!e.shiftKey && /^\d$/.test(e.key) && ue.peek().length) {
     e.preventDefault(), gr.value = e.key;
     return;
   }
@@ -2203,29 +2203,29 @@ function xl(e) {
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return Sl();
-  let r = e.shiftKey && Ma[o] ? Ma[o] : _l[o];
+  if (o === "p" && e.shiftKey) return Cl();
+  let r = e.shiftKey && Ma[o] ? Ma[o] : kl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function Sl() {
-  let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
-  n && Se("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
+function Cl() {
+  let [e, t] = we.peek(), n = Kt(e / 2, t / 2);
+  n && Me("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
 function De(e, t) {
   e.preventDefault(), oe(t);
 }
-function Ml(e) {
+function El(e) {
   jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
 function Va() {
-  addEventListener("keydown", xl), addEventListener("keyup", Ml), addEventListener("blur", () => {
+  addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
     jt.clear(), co(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
     $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Cl(e, t) {
+function Tl(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
 }
@@ -2234,9 +2234,9 @@ function Cl(e, t) {
 var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
   let t = Yn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, El = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+}, Pl = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
 function Vr(e) {
-  let t = le.peek();
+  let t = ue.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
 function Ia(e, t, n) {
@@ -2251,7 +2251,7 @@ function Ia(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = El(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
+    this.was = this.now = Pl(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
   }
   strip;
   gesture;
@@ -2263,7 +2263,7 @@ var _n = class {
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
-    this.gesture.end(`${t} ${Ae(this.was)} → ${Ae(this.now)} %`);
+    this.gesture.end(`${t} ${Re(this.was)} → ${Re(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
@@ -2278,32 +2278,32 @@ function Ir(e, t) {
   let n = Object.fromEntries(e.map((r) => {
     let i = M.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Ae(M.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
-  Le(`${eo(e)}${o}`, { lamps: n });
+  })), o = e.length === 1 ? ` ${Re(M.get(e[0])?.level ?? 0)} → ${Re(n[e[0]].level)} %` : " level";
+  Ve(`${eo(e)}${o}`, { lamps: n });
 }
 function Ar(e, t) {
   let n = t(D.get(e)?.level ?? 0);
-  Le(`${D.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
+  Ve(`${D.get(e)?.name ?? "Group"} ${Re(n)} %`, { groups: { [e]: { level: n } } });
 }
 function Rr(e, t) {
   let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? Ve(n, { groups: { [e.id]: { on: t } } }) : Ve(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var Tl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Pl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, $l = (e) => Math.round(255 * Tl(Math.max(0, Math.min(1, e))));
+var $l = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Ll = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Vl = (e) => Math.round(255 * $l(Math.max(0, Math.min(1, e))));
 function Or(e) {
   let t = Math.max(...e, 1e-6);
   return Aa(e.map((n) => n / t));
 }
 function Aa(e) {
-  return `#${e.map((t) => $l(t).toString(16).padStart(2, "0")).join("")}`;
+  return `#${e.map((t) => Vl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Ll(e) {
-  let t = (n) => Pl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Il(e) {
+  let t = (n) => Ll(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Vl = (e) => 1e6 / e;
+var Al = (e) => 1e6 / e;
 
 // src/range.tsx
 var Ra = -1e9;
@@ -2374,7 +2374,7 @@ var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its
 function Ha({ row: e, index: t, count: n }) {
   let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
+  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => xe.value.includes(_)), f = xe.value.length > 0 && !p.some((_) => xe.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
     begin: () => o.current = new _n(r),
     end: () => {
       o.current?.end(), o.current = null;
@@ -2419,7 +2419,7 @@ function Ha({ row: e, index: t, count: n }) {
               label: `${s.name} level`,
               class: "level",
               value: $r(s.level),
-              text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
+              text: `${Re(s.level)} %, ${Xe(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
               on: (_) => {
@@ -2441,7 +2441,7 @@ function Ha({ row: e, index: t, count: n }) {
               disabled: w !== null,
               why: w,
               tabIndex: x,
-              set: (_) => i ? Ir(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ar(e.id, _)
+              set: (_) => i ? Ir(d && ue.peek().length > 1 ? ue.peek() : [e.id], _) : Ar(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2455,10 +2455,10 @@ function Ha({ row: e, index: t, count: n }) {
 var Da = 4;
 function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = te(null), s = nt(0), p = nt(600);
-  Ce(() => {
+  Ee(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
-  }, []), Ce(() => {
+  }, []), Ee(() => {
     let d = a.current;
     if (!d || r === void 0 || r < 0) return;
     let m = r * t;
@@ -2500,17 +2500,17 @@ function Ka(e) {
 function Dr(e, t, n) {
   e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Il(e) {
+function Rl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Al = ["add-spot", "add-point", "add-disc", "add-sphere"];
+var Ol = ["add-spot", "add-point", "add-disc", "add-sphere"];
 function qa() {
   let e = Na.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Il, children: [
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Rl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2543,7 +2543,7 @@ function qa() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Al.map((i) => l(xr, { id: i }, i)),
+        Ol.map((i) => l(xr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2564,8 +2564,8 @@ function qa() {
         }
       }
     ),
-    le.value.length > 1 && l("p", { class: "several", children: [
-      le.value.length,
+    ue.value.length > 1 && l("p", { class: "several", children: [
+      ue.value.length,
       " selected; a fader moves them in proportion",
       l("button", { onClick: () => oe("none"), children: "None" })
     ] }),
@@ -2574,9 +2574,9 @@ function qa() {
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), ja = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Pe.value?.stage ?? "loading"), ja = g(!1), wn = 0;
 T(() => {
-  let e = Te.value?.fps ?? 0;
+  let e = Pe.value?.fps ?? 0;
   Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, ja.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
@@ -2590,12 +2590,12 @@ var Wt = N(() => {
   }
   return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : ja.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
 });
-xe("event", (e) => {
+Se("event", (e) => {
   switch (e.what) {
     case "reloaded": {
       kn.value = null, Qe.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      se(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
+      le(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
@@ -2609,7 +2609,7 @@ xe("event", (e) => {
       break;
   }
 });
-xe("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
+Se("refused", (e) => le(e.why ?? "That could not be done.", "warn"));
 T(() => {
   F.value.you && (xn.value = null);
 });
@@ -2619,11 +2619,11 @@ var _o = g(null);
 function wo(e, t, n) {
   let o = Kt(e, t);
   if (!o) return n(null);
-  Se("point", o, (r) => n(r.hit ? r : null));
+  Me("point", o, (r) => n(r.hit ? r : null));
 }
 function Ua(e) {
   if (!e) return "";
-  let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
+  let t = [], n = M.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
     let i = e.luminance[0] * (Vt.value === "fc" ? 0.2919 : 1);
     t.push(`${Xe(i)} ${Vt.value === "fc" ? "fL" : "cd/m²"}`);
@@ -2642,8 +2642,8 @@ var Wa = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Rl() {
-  let e = Te.value;
+function Hl() {
+  let e = Pe.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
@@ -2660,11 +2660,11 @@ function Rl() {
   }
 }
 function Ba() {
-  let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+  let e = Pe.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Rl()
+      Hl()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
@@ -2697,8 +2697,8 @@ function Ba() {
 }
 
 // src/pointer.ts
-var Ol = 4, za = 35e-4, Hl = 0.15;
-function Kl(e, t, n) {
+var Kl = 4, za = 35e-4, Dl = 0.15;
+function Fl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
 function Ga(e, t) {
@@ -2707,7 +2707,7 @@ function Ga(e, t) {
     return [h.clientX - v.left, h.clientY - v.top];
   }, d = (h, v, $) => {
     let L = Kt(h, v);
-    L && Se("point", L, (V) => {
+    L && Me("point", L, (V) => {
       let A = V;
       A.hit && $?.(A);
     });
@@ -2718,7 +2718,7 @@ function Ga(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Kl(Xn.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Fl(Xn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2750,7 +2750,7 @@ function Ga(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Ol)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Kl)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2790,7 +2790,7 @@ function Ga(e, t) {
       if (v.touch) {
         let $ = performance.now(), L = $ - p < 320;
         if (p = $, L) return t.double();
-        if (ye.peek()) return;
+        if (_e.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
@@ -2813,8 +2813,8 @@ function Ga(e, t) {
       });
     }
     x.time = R;
-    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, Br = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, Br, $, Hl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
+    let [is, as] = [h - A.width / 2, A.height / 2 - v], ss = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * is * A.pixel + A.up[vt] * as * A.pixel) * ss, Br = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Dn(V, Br, $, Dl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
@@ -2824,7 +2824,7 @@ function Ga(e, t) {
     let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
     k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let C = (h) => h.preventDefault(), Me = () => {
+  let C = (h) => h.preventDefault(), Ce = () => {
     clearTimeout(a), t.unhover();
   }, Je = (h) => {
     !h.target.closest("[data-handle]") && z.peek() === null && t.double();
@@ -2832,17 +2832,17 @@ function Ga(e, t) {
     h.code === "Space" && (i = h.type === "keydown");
   }, ve = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    we.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Ce), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
     ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
 // src/overlay.ts
-var Dl = "http://www.w3.org/2000/svg";
-function we(e, t = {}, n) {
-  let o = document.createElementNS(Dl, e);
+var Nl = "http://www.w3.org/2000/svg";
+function ke(e, t = {}, n) {
+  let o = document.createElementNS(Nl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
@@ -2870,21 +2870,21 @@ var Ur = class {
 };
 function Wr() {
   let e = W.value;
-  return _e.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
+  return we.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
 }
 function Xa() {
-  let e = ie(Wr);
+  let e = re(Wr);
   return e ? M.all().flatMap(([t, n]) => {
     let o = Ya(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ya = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+var Ya = hr, ql = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 function jr(e, t) {
   let n = _t(t);
-  return Fl.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return ql.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Nl = 150, Sn = class {
+var jl = 150, Sn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2900,9 +2900,9 @@ var Nl = 150, Sn = class {
       n.add(o);
       let s = this.marks.get(o);
       if (!s) {
-        let p = we("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        let p = ke("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(p);
-        let c = we("text", { x: 10, y: 4 }, p);
+        let c = ke("text", { x: 10, y: 4 }, p);
         s = { group: p, label: c }, this.marks.set(o, s);
       }
       if (!r) {
@@ -2916,28 +2916,28 @@ var Nl = 150, Sn = class {
   }
 };
 function Qa(e) {
-  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
-  }), s = new Sn(we("g", {}, e), "meter", (u) => {
-    we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
+  let t = ke("path", { class: "aims" }, e), n = ke("path", { class: "boxes" }, e), o = ke("path", { class: "boxes hover" }, e), r = ke("path", { class: "grid-lines" }, e), i = new Sn(ke("g", {}, e), "lamp", (u) => ke("circle", { r: 4.5 }, u)), a = new Sn(ke("g", {}, e), "grid", () => {
+  }), s = new Sn(ke("g", {}, e), "meter", (u) => {
+    ke("circle", { r: 5.5 }, u), ke("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
     let u = Wr();
     if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Nl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
-      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= jl, w = M.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Ce = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
+      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Ce)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
-      let ve = C || Me || y && tr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${st(_) ? "" : "off"}`;
-      return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Me ? _.name : "", state: h };
+      let ve = C || Ce || y && tr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Ce ? "under" : ""} ${st(_) ? "" : "off"}`;
+      return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Ce ? _.name : "", state: h };
     });
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
       for (let k of d.ids) {
-        let _ = be.get(k)?.box;
+        let _ = ye.get(k)?.box;
         _ && (b += jr(u, _));
       }
     n.setAttribute("d", b);
-    let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
+    let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? ye.get(m.id)?.box : null;
     o.setAttribute("d", x ? jr(u, x) : "");
   }), c = T(() => {
     let u = Wr();
@@ -2951,7 +2951,7 @@ function Qa(e) {
     })));
     let f = "";
     a.draw(qn.all().map(([b, y]) => {
-      f += ql(u, y);
+      f += Ul(u, y);
       let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2960,11 +2960,18 @@ function Qa(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function ql(e, t) {
+function Ja({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
+  let p = (c, u, d) => {
+    let m = be(c) > 2 * i ? i / be(c) : 0;
+    return S(c, m + (1 - 2 * m) * (u + 0.5) / d);
+  };
+  return I(e, I(p(t, a, o), p(n, s, r)));
+}
+function Ul(e, t) {
   let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
-      let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
+      let a = e.at(Ja(t, i, r));
       a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
     }
   return o;
@@ -2974,15 +2981,15 @@ function ql(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ja = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function jl() {
+var Za = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Wl() {
   let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
-  Le("All lamps on", {
+  Ve("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Ul() {
+function Bl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
@@ -3006,11 +3013,11 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Ja() }),
+          l("code", { children: Za() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(Ja());
+          yr(Za());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3073,7 +3080,7 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
         rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: jl, children: "Turn on" })
+        l("button", { onClick: Wl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3085,10 +3092,10 @@ function Ul() {
       return null;
   }
 }
-function Za() {
-  let e = ke.value;
+function es() {
+  let e = xe.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Ul(),
+    Bl(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3112,20 +3119,20 @@ function Za() {
 }
 
 // src/view.tsx
-var ts = g(null);
-function Wl(e, t) {
+var ns = g(null);
+function zl(e, t) {
   let n = Xa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Bl = {
+var Gl = {
   click(e, t, n) {
-    let o = es(e, t);
+    let o = ts(e, t);
     if (z.peek() === null && o) return ze(o.kind, o.id, n);
     wo(e, t, (r) => {
       if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return fa(r);
-      ia(r, n), P.peek() && (Ie.value = "inspector");
+      ia(r, n), P.peek() && (Ae.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3137,7 +3144,7 @@ var Bl = {
     fr();
   },
   hover(e, t) {
-    let n = es(e, t);
+    let n = ts(e, t);
     n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
       _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
@@ -3146,12 +3153,12 @@ var Bl = {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ts.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Wl(e, t);
+    if (ns.value = n ? null : { from: e, to: t }, !n) return;
+    let o = zl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function es(e, t) {
+function ts(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3161,7 +3168,7 @@ function es(e, t) {
   }
   return o;
 }
-var zl = {
+var Xl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3169,11 +3176,11 @@ var zl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function ns() {
+function os() {
   let e = te(null), t = te(null), n = te(null);
-  return Ce(() => {
+  return Ee(() => {
     Xo(t.current);
-    let o = Qa(n.current), r = Ga(e.current, Bl);
+    let o = Qa(n.current), r = Ga(e.current, Gl);
     return () => {
       Xo(null), o(), r();
     };
@@ -3197,13 +3204,13 @@ function ns() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(Gl, {})
+          l(Yl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: zl[z.value] }),
-    l(Za, {}),
+    z.value && l("p", { class: "hint", role: "status", children: Xl[z.value] }),
+    l(es, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3211,8 +3218,8 @@ function ns() {
     l(ee, { part: "What" })
   ] });
 }
-function Gl() {
-  let e = ts.value;
+function Yl() {
+  let e = ns.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3227,11 +3234,11 @@ function Gl() {
 }
 
 // src/main.tsx
-function Xl() {
+function Ql() {
   return l(X, { children: [
     l(wa, {}),
     l(qa, {}),
-    l(ns, {}),
+    l(os, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
     l(Ba, {}),
@@ -3240,12 +3247,12 @@ function Xl() {
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ai(l(Xl, {}), ht);
+ai(l(Ql, {}), ht);
 T(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
+  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !_e.value ? "yes" : "no";
 });
 T(() => {
-  ht.dataset.panels = Zo.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
+  ht.dataset.panels = Zo.value ? "yes" : "no", ht.dataset.drawer = Ae.value ?? "none";
 });
 T(() => {
   document.documentElement.dataset.theme = Yo.value, document.documentElement.style.setProperty("--house", String(Qo.value));
@@ -3253,10 +3260,10 @@ T(() => {
 T(() => {
   Z.value && (document.title = `${Z.value.name} – Lampyris`);
 });
-var os = 0;
+var rs = 0;
 T(() => {
-  let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(os), os = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  let [e, t] = we.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
+  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(rs), rs = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
 va();
 Va();
@@ -3268,21 +3275,21 @@ export {
   Be as Gesture,
   G as Icon,
   xr as Item,
-  Ls as PRESETS,
+  Vs as PRESETS,
   Hr as Range,
   Fr as Virtual,
   ot as across,
   oe as act,
   I as add,
   dr as adding,
-  dl as allActions,
-  Se as ask,
+  hl as allActions,
+  Me as ask,
   pa as asked,
-  Js as back,
+  el as back,
   pn as before,
   he as camera,
   Vt as candles,
-  le as chosenLamps,
+  ue as chosenLamps,
   Mr as clearSolo,
   po as closeWhat,
   Oa as colorText,
@@ -3295,36 +3302,37 @@ export {
   Kr as cost,
   ge as cross,
   Or as css,
-  rl as cut,
+  al as cut,
   Zn as deselect,
   B as digits,
   at as display,
   He as distance,
   q as dot,
-  sl as each,
-  Le as edit,
+  ul as each,
+  Ve as edit,
   F as editor,
   T as effect,
   so as exposeBy,
   nr as fade,
-  ul as falseColor,
-  Vs as filterOf,
+  fl as falseColor,
+  Is as filterOf,
   We as fine,
   hn as fitted,
   vn as format,
-  Zs as forth,
+  tl as forth,
   fr as frameSelection,
   ro as free,
-  Ll as fromHex,
+  Il as fromHex,
   Q as go,
   pr as goHome,
-  ol as goInside,
-  nl as goPreset,
+  il as goInside,
+  rl as goPreset,
+  Ja as gridPoint,
   qn as grids,
   D as groups,
-  Xs as handles,
+  Qs as handles,
   Xn as hands,
-  xe as hear,
+  Se as hear,
   ne as here,
   Aa as hex,
   co as highlight,
@@ -3336,75 +3344,76 @@ export {
   tr as lampMarks,
   M as lamps,
   sn as layers,
-  Oe as length,
+  be as length,
   Lt as listing,
-  ye as lookOnly,
+  _e as lookOnly,
   Mt as looks,
   Uo as lumensOf,
   dt as luxText,
-  qs as maintenance,
+  js as maintenance,
   xt as materials,
   Ct as meters,
   qe as middle,
-  Vl as mired,
+  Al as mired,
   ra as nameOf,
   J as normal,
-  al as onTool,
+  ll as onTool,
   st as output,
-  Cl as padWalk,
+  Tl as padWalk,
   Zo as panels,
   Qn as penless,
-  Ae as percent,
+  Re as percent,
   Dr as pickRow,
   wt as pinhole,
   hr as positionOf,
   tn as project,
-  $s as ray,
-  pl as register,
+  Ls as ray,
+  ml as register,
   pe as role,
-  se as say,
+  le as say,
   S as scale,
   Z as scene,
   ze as select,
   P as selection,
   H as send,
-  il as setCut,
+  sl as setCut,
   pt as sheet,
   At as show,
   W as shown,
   g as signal,
   er as singleKeys,
-  gl as soloSelection,
+  yl as soloSelection,
   to as spot,
   mr as startTool,
-  Te as status,
-  Ws as step,
-  Ys as stepSelection,
-  fl as storeLook,
-  cl as storeView,
+  Pe as status,
+  zs as step,
+  Js as stepSelection,
+  dl as storeLook,
+  pl as storeView,
   rr as stroke,
   go as strokeLevel,
   K as sub,
   Rr as switchOn,
   Yo as theme,
-  be as things,
+  ye as things,
   Xe as three,
   eo as titleOf,
   Lr as toLevel,
   $r as toTravel,
   br as toggleFalse,
-  Gs as toggleWipe,
+  Ys as toggleWipe,
   z as tool,
   Yn as travel,
   en as turn,
   Ar as typeGroupLevel,
   Ir as typeLevel,
-  Ve as up,
-  Ce as useEffect,
-  vs as useLayoutEffect,
+  re as untracked,
+  Ie as up,
+  Ee as useEffect,
+  gs as useLayoutEffect,
   te as useRef,
   Ht as viewName,
-  _e as viewSize,
+  we as viewSize,
   St as views,
   $a as walkNames,
   Jo as walking,
@@ -3412,5 +3421,6 @@ export {
   Ye as what,
   Jn as whyNot,
   _r as whyNotTo,
-  Bs as wipeAt
+  Gs as wipeAt,
+  Us as workPlane
 };

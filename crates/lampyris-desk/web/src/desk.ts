@@ -1,6 +1,6 @@
 // What the second file takes from the first, name by name.
 
-export { computed, effect, signal } from '@preact/signals';
+export { computed, effect, signal, untracked } from '@preact/signals';
 export { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 export { Fragment, jsx, jsxs } from 'preact/jsx-runtime';
 export {
@@ -26,8 +26,9 @@ export {
 } from './navigate';
 export {
     candles, fade, fine, hands, houseLights, lampMarks, listing, lookOnly, maintenance, panels, singleKeys, theme,
-    travel, walking, type Hands,
+    travel, walking, workPlane, type Hands,
 } from './prefs';
+export { gridPoint } from './overlay';
 export { Range } from './range';
 export { say } from './say';
 export {

@@ -124,6 +124,8 @@ export interface Grid {
     normal: Vec;
     columns: number;
     rows: number;
+    /** What is left off along edges that are longer than two of it [m]. */
+    border?: number;
     /** Row by row, as far as it is known; so are the figures. */
     lux?: (number | null)[];
     mean?: number | null;

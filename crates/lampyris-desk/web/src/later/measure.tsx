@@ -1,10 +1,10 @@
 // Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
 
 import {
-    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
+    add, deselect, digits, dot, edit, grids, Icon, length, luxText, maintenance, meters, scale, selection, up, type Grid, type Meter,
 } from '../desk';
 import { gridIsPoor, gridVerdict, meterIsPoor, meterVerdict, Said } from './figures';
-import { spacing } from './tools';
+import { counts, floorLevel, inner } from './area';
 import { changed, Line, Name, Section, Triple } from './parts';
 
 const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['cylindrical', 'cylindrical'], ['camera', 'toward the camera']];
@@ -52,13 +52,14 @@ export function GridInspector() {
     if (!grid) return <p class="quiet empty">This grid is gone.</p>;
     const kept = maintenance.value;
     const set = (label: string, change: Partial<Grid>) => {
-        const { name, corner, u, v, normal, columns, rows, target } = { ...grid, ...change };
-        edit(`${grid.name}: ${label}`, { grids: { [id]: { name, corner, u, v, normal, columns, rows, target } } });
+        const { name, corner, u, v, normal, columns, rows, border, target } = { ...grid, ...change };
+        edit(`${grid.name}: ${label}`, { grids: { [id]: { name, corner, u, v, normal, columns, rows, border, target } } });
     };
-    const standard = () => {
-        const p = spacing(Math.max(length(grid.u), length(grid.v)));
-        set('standard spacing', { columns: Math.max(1, Math.ceil(length(grid.u) / p)), rows: Math.max(1, Math.ceil(length(grid.v) / p)) });
+    const standard = (label: string, border = grid.border) => {
+        const [columns, rows] = counts([inner(length(grid.u), border), inner(length(grid.v), border)]);
+        set(label, { columns, rows, border });
     };
+    const height = dot(grid.corner, up.value) - floorLevel();
     const figure = (name: string, value: number | null | undefined, text: (v: number) => string) => <><dt>{name}</dt><dd>{value == null ? '…' : text(value)}</dd></>;
     const off = (value: number | null | undefined, text: (v: number) => string) => (value == null ? '' : ` ±${text(value)}`);
     const target = grid.target ?? { lux: 500, uniformity: 0.6 };
@@ -94,9 +95,11 @@ export function GridInspector() {
                 </Section>
                 <Section title="Area">
                     <Triple label="Corner" quantity="length" step={0.01} value={grid.corner} set={(axis, apply) => set('move', { corner: changed(grid.corner, axis, apply) })} />
+                    <Line label="Above the floor" quantity="length" step={0.01} value={height} set={(apply) => set('height', { corner: add(grid.corner, scale(up.value, apply(height) - height)) })} />
+                    <Line label="Border" quantity="length" step={0.05} value={grid.border ?? 0} set={(apply) => standard('border', Math.max(0, apply(grid.border ?? 0)))} />
                     <Line label="Columns" quantity="number" step={1} value={grid.columns} set={(apply) => set('spacing', { columns: Math.max(1, Math.min(200, Math.round(apply(grid.columns)))) })} />
                     <Line label="Rows" quantity="number" step={1} value={grid.rows} set={(apply) => set('spacing', { rows: Math.max(1, Math.min(200, Math.round(apply(grid.rows)))) })} />
-                    <button class="plain full" title="EN 12464-1: p = 0.2 · 5^log d" onClick={standard}>Spacing of the standard</button>
+                    <button class="plain full" title="EN 12464-1: p = 0.2 · 5^log d" onClick={() => standard('standard spacing')}>Spacing of the standard</button>
                     <button class="plain full" onClick={() => {
                         deselect();
                         edit(`Remove ${grid.name}`, { grids: { [id]: null } });
