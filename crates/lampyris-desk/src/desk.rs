@@ -3,6 +3,7 @@
 
 mod answering;
 mod editing;
+mod grouping;
 #[cfg(test)]
 mod hostile;
 mod reaching;
@@ -507,6 +508,10 @@ impl Desk {
                 self.in_gesture(seq, "Remove", |desk| {
                     desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0)
                 })
+            }
+            Do::Group { lamps, name } => {
+                let label = if name.is_some() { "Group" } else { "Ungroup" };
+                self.in_gesture(seq, label, |desk| desk.group(seq, &lamps, name))
             }
             Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),

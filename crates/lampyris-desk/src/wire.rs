@@ -41,6 +41,7 @@ pub(crate) enum Do {
     Add { lamp: Box<Value> },
     Copy { lamps: Vec<u32>, count: u32, step: Vec3 },
     Remove { lamps: Vec<u32> },
+    Group { lamps: Vec<u32>, name: Option<String> },
     End { label: Option<String> },
     Cancel,
     Undo,
@@ -155,6 +156,10 @@ impl Do {
                 Do::Copy { lamps, count, step }
             }
             "remove" => Do::Remove { lamps: field(&mut fields, "lamps")? },
+            "group" => {
+                let name = text(&mut fields, "name")?;
+                Do::Group { lamps: field(&mut fields, "lamps")?, name }
+            }
             "end" => Do::End { label: text(&mut fields, "label")? },
             "cancel" => Do::Cancel,
             "undo" => Do::Undo,

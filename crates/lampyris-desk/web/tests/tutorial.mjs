@@ -104,9 +104,9 @@ await person.click(power('panel_desk'));
 await person.click(person.button('Plan'));
 await page.waitForSelector('.cut output');
 await person.click(person.button('Lay a grid'));
-await person.point(...(await planAt(page, 1.5, 3.67)));
+await person.point(...(await planAt(page, 2.0, 3.67)));
 await page.waitForTimeout(800);
-await person.point(...(await planAt(page, 2.8, 3.99)));
+await person.point(...(await planAt(page, 2.85, 3.97)));
 await page.waitForSelector('.inspector [aria-label="Corner Z"]');
 await person.type(page.getByLabel('Corner Z'), '+=0.15');
 /** The figures of the area, when they are others, no longer grey, and decided against the target. */
