@@ -1,5 +1,5 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ls, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], us = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ls, Gt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], us = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
@@ -9,7 +9,7 @@ function Zr(e, t, n) {
   return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Yr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Gt, __v: r || ++Yr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -25,14 +25,14 @@ function Ne(e, t) {
 }
 function cs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
+  a && ((t = et({ constructor: Gt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
 }
 function ei(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
   }), ei(e);
 }
-function Gr(e) {
+function zr(e) {
   (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ti);
 }
 function ti() {
@@ -49,7 +49,7 @@ function ni(e, t, n, o, r, i, a, s, p, c, u) {
 }
 function fs(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ps(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === Gt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ps(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -113,7 +113,7 @@ function ds(e) {
 }
 function Po(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k, _, C, Ce, Je, fe, ve, h, v, $, L = t.type;
-  if (t.constructor !== zt) return null;
+  if (t.constructor !== Gt) return null;
   128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = En(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
   e: if (typeof L == "function") {
     m = a.length;
@@ -241,12 +241,12 @@ E = { __e: function(e, t, n, o) {
   }
   throw Tn = 0, e;
 } }, Yr = 0, Mo = function(e) {
-  return e != null && e.constructor === zt;
+  return e != null && e.constructor === Gt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Gr(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), zr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Gr(this));
+  this.__v && (this.__g |= 4, e && this.__h.push(e), zr(this));
 }, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
   return e.__v.__b - t.__v.__b;
 }, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ls = 0;
@@ -266,7 +266,7 @@ function gs(e, t) {
   var n = Oo(Xt++, 4);
   !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, ie.__h.push(n));
 }
-function te(e) {
+function ne(e) {
   return Io = 5, Ln(function() {
     return { current: e };
   }, []);
@@ -279,14 +279,14 @@ function bs() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
-      Gt(e);
+      zt(e);
     } catch (n) {
       j.__e(n, { __: (e = e.__P) && e.__v });
     }
     for (; e = vi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
+        t.__h.some(zt), t.__h.some(Ro), t.__h = [];
       } catch (n) {
         t.__h = [], j.__e(n, e.__v);
       }
@@ -300,7 +300,7 @@ j.__b = function(e) {
 }, j.__r = function(e) {
   ui && ui(e), Xt = 0;
   var t = (ie = e.__c).__H;
-  t && (Vo == ie ? ie.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
+  t && (Vo == ie ? ie.__h = [] : (t.__h.some(zt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Vo = ie;
 }, j.diffed = function(e) {
@@ -312,7 +312,7 @@ j.__b = function(e) {
 }, j.__c = function(e, t) {
   t.some(function(n) {
     try {
-      n.__h.some(Gt), n.__h = n.__h.filter(function(o) {
+      n.__h.some(zt), n.__h = n.__h.filter(function(o) {
         return !o.__ || Ro(o);
       });
     } catch (o) {
@@ -332,7 +332,7 @@ j.__b = function(e) {
           n = n && n.__c;
         }
         r.__P = n, hi(Ao.push(r));
-      } else Gt(r);
+      } else zt(r);
     } catch (i) {
       t = i;
     }
@@ -348,7 +348,7 @@ function ys(e) {
 function hi(e) {
   e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || ys)(bs);
 }
-function Gt(e) {
+function zt(e) {
   var t = ie, n = e.__c;
   typeof n == "function" && (e.__c = void 0, n()), ie = t;
 }
@@ -803,7 +803,7 @@ function Mi() {
   xi.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ps);
 }
 function Ci(e, t) {
-  var n = te(e);
+  var n = ne(e);
   n.current = e;
   var o = Zt;
   Ee(function() {
@@ -1117,7 +1117,7 @@ function Is(e, t) {
 // src/wire.ts
 var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
   ji = e;
-}, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
+}, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", Gn = !1;
 function Se(e, t) {
   let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
   return Bn.set(e, n.add(t)), () => n.delete(t);
@@ -1167,7 +1167,7 @@ function Rs(e) {
       }
       break;
     case "event":
-      e.what === "bye" && (zn = !0);
+      e.what === "bye" && (Gn = !0);
       break;
   }
   for (let t of [...Bn.get(e.is) ?? []]) t(e);
@@ -1214,7 +1214,7 @@ async function Os(e) {
   }
   un += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  un > 3 && t && (zn = !0), U.value = zn ? "ended" : "lost";
+  un > 3 && t && (Gn = !0), U.value = Gn ? "ended" : "lost";
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
@@ -1227,7 +1227,7 @@ async function Hs() {
     return !1;
   }
 }
-async function zi() {
+async function Gi() {
   let e = location.hash.slice(1);
   if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Wi() === "denied") {
     U.value = "denied";
@@ -1235,10 +1235,10 @@ async function zi() {
   }
   Bi();
 }
-Se("hello", () => zn = !1);
+Se("hello", () => Gn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), $e = null, zo = null, Go = !1, ut = null;
+var W = g(null), $t = g(0), zi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), $e = null, Go = null, zo = !1, ut = null;
 function Ks(e) {
   if (e.byteLength < Xi) return null;
   let t = new DataView(e);
@@ -1248,7 +1248,7 @@ function Ks(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Gi[Math.min(t.getUint8(16), 2)],
+    kind: zi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1258,10 +1258,10 @@ function Ks(e) {
 }
 function Ds(e) {
   let t = Ks(e);
-  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Fs(), t.head) : null;
+  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, zo || Fs(), t.head) : null;
 }
 async function Fs() {
-  for (Go = !0; ut; ) {
+  for (zo = !0; ut; ) {
     let { head: e, mime: t, bytes: n, received: o } = ut;
     ut = null;
     try {
@@ -1271,16 +1271,16 @@ async function Fs() {
     }
     H({ do: "ack", frame: e.frame });
   }
-  Go = !1;
+  zo = !1;
 }
 function Ns(e, t, n, o) {
   let r = performance.now();
-  $e && zo && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), zo.drawImage(t, 0, 0)), t.close();
+  $e && Go && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), Go.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
   i && (W.value = { head: e, camera: i }), qs(), Hi({
     frame: e.frame,
     seq: e.seq,
-    kind: Gi.indexOf(e.kind),
+    kind: zi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1293,13 +1293,13 @@ function Ns(e, t, n, o) {
     encode: e.encode
   });
 }
-var Gn = [];
+var zn = [];
 function qs() {
   let e = performance.now();
-  Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), $t.value = Gn.length;
+  zn = zn.filter((t) => e - t < 1e3), zn.push(e), $t.value = zn.length;
 }
 function Xo(e) {
-  $e = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
+  $e = e, Go = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
 function Yi() {
   if (!$e || !W.peek()) return null;
@@ -1404,7 +1404,7 @@ function Ve(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function zs(e, t) {
+function Gs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
@@ -1426,7 +1426,7 @@ T(() => {
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Gs = g(0.5);
+var pn = g(null), de = g(null), zs = g(0.5);
 function Xs() {
   let e = W.peek(), t = Yi();
   e && t && (pn.value = { picture: t, camera: e.camera });
@@ -1450,11 +1450,11 @@ function Ys() {
 }
 
 // src/select.ts
-var P = g(null), me = g(null), z = g(null), Qs = g("move"), ue = N(() => {
+var P = g(null), me = g(null), G = g(null), Qs = g("move"), ue = N(() => {
   let e = P.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
-function ze(e, t, n = "only") {
+function Ge(e, t, n = "only") {
   let o = P.peek();
   if (n === "only" || o?.kind !== e) {
     P.value = { kind: e, ids: [t] };
@@ -1470,7 +1470,7 @@ function Zn() {
 }
 function oa(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return ze(e, n);
+  if (r < 0) return Ge(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
@@ -1478,7 +1478,7 @@ function Js(e) {
   let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  ze(n, o[(r + e + o.length) % o.length]);
+  Ge(n, o[(r + e + o.length) % o.length]);
 }
 function ra(e, t) {
   switch (e) {
@@ -1508,26 +1508,26 @@ function ia(e, t) {
     t === "only" && Zn();
     return;
   }
-  if (t !== "only") return ze(n[0].kind, n[0].ids[0], t);
+  if (t !== "only") return Ge(n[0].kind, n[0].ids[0], t);
   let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
   P.value = n[(r + 1) % n.length];
 }
 var to = g(null);
 
 // src/navigate.ts
-var Zs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => Z.value?.up ?? [0, 0, 1]), we = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
+var Zs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => Z.value?.up ?? [0, 0, 1]), we = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, ze = [], cr = [], ur = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
   let o = performance.now();
-  n && (o - ur > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
+  n && (o - ur > 1e3 || t) && (ze.push(n), ze.length > 100 && ze.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
 }
-var ne = () => he.peek();
+var oe = () => he.peek();
 function el() {
-  la(Ge, cr);
+  la(ze, cr);
 }
 function tl() {
-  la(cr, Ge);
+  la(cr, ze);
 }
 function la(e, t) {
   let n = e.pop();
@@ -1567,19 +1567,19 @@ function ft(e = he.peek()) {
 }
 var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
 function no(e, t) {
-  let n = ne();
+  let n = oe();
   n && Q(Ei(n, Ie.peek(), e, t));
 }
 function oo(e, t, n) {
-  let o = ne();
+  let o = oe();
   o && Q($i(o, Ie.peek(), e, t, n));
 }
 function Ft(e, t, n) {
-  let o = ne(), r = ft();
+  let o = oe(), r = ft();
   o && r && Q(Li(o, r, e, t, n));
 }
 function ua(e, t, n) {
-  let o = ne();
+  let o = oe();
   if (o) {
     if (o.height) {
       let r = ft(o);
@@ -1591,13 +1591,13 @@ function ua(e, t, n) {
 }
 var Rt = !1, sr = !0, aa = null;
 function nl() {
-  let e = ne();
+  let e = oe();
   if (!e || Rt || !sr) return;
   let t = Ie.peek();
   Rt = !0;
   let n = Me("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
     Rt = !1, sr = !0;
-    let r = ne();
+    let r = oe();
     if (!o.hit || !r || r.height) return;
     aa = q(o.point, t);
     let i = aa + Zs - q(r.eye, t);
@@ -1623,7 +1623,7 @@ function ol() {
   return [r(Math.min), r(Math.max)];
 }
 function fr() {
-  let e = ne(), t = ol();
+  let e = oe(), t = ol();
   e && t ? Q(Vi(e, t), "selection") : pr();
 }
 function pr() {
@@ -1634,8 +1634,8 @@ function rl(e) {
   Q(Ai(e, Ot(), Ie.peek(), t / n), e);
 }
 function il() {
-  for (let e = Ge.length - 1; e >= 0; e--)
-    if (!Ge[e].height) return Q(Ge[e], "inside");
+  for (let e = ze.length - 1; e >= 0; e--)
+    if (!ze[e].height) return Q(ze[e], "inside");
   pr();
 }
 var al = N(() => {
@@ -1645,7 +1645,7 @@ var al = N(() => {
   return { value: o, most: Math.max(...n), height: a };
 });
 function sl(e) {
-  let t = ne();
+  let t = oe();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
@@ -1655,7 +1655,7 @@ var dr = g("spot"), ca = () => {
   ca = e;
 }, fa = (e) => ca(e);
 function mr(e) {
-  z.value = z.peek() === e ? null : e;
+  G.value = G.peek() === e ? null : e;
 }
 var ro = (e) => Math.max(-1, ...e.ids.peek()) + 1;
 function hr(e) {
@@ -1686,7 +1686,7 @@ function so(e) {
   At({ ev: t });
 }
 function pl() {
-  let e = ne();
+  let e = oe();
   if (!e) return;
   let t = ro(St);
   Ve("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
@@ -1704,10 +1704,10 @@ async function yr(e) {
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
 function ml(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
+  Nt = new Map(e.map((t) => [t.id, t])), io && ee(io), io = null;
 }
 var hl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
-function oe(e) {
+function ee(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
   let n = t?.why?.();
@@ -1726,7 +1726,7 @@ function l(e, t, n, o, r, i) {
 
 // src/load.tsx
 var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
-function ee({ part: e }) {
+function te({ part: e }) {
   let t = wr(e);
   return t ? l(t, {}) : null;
 }
@@ -1852,7 +1852,7 @@ function dt(e, t = !0) {
 
 // src/field.tsx
 function gn(e) {
-  let t = nt(null), n = nt(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
+  let t = nt(null), n = nt(null), o = ne(null), r = ne(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
   Ee(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
@@ -1919,7 +1919,7 @@ function gn(e) {
 }
 
 // src/icon.tsx
-function G({ name: e }) {
+function z({ name: e }) {
   return l("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: l("use", { href: `icons.svg#${e}` }) });
 }
 
@@ -1943,7 +1943,7 @@ function xr({ id: e, label: t }) {
       "aria-disabled": n !== null,
       title: n ?? void 0,
       onClick: (r) => {
-        r.currentTarget.closest("[popover]")?.hidePopover(), oe(e);
+        r.currentTarget.closest("[popover]")?.hidePopover(), ee(e);
       },
       children: [
         l("span", { children: t ?? o?.label }),
@@ -1963,38 +1963,38 @@ var _a = {
 function wa() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
-    l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
+    l(qt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(te, { part: "PageItems" }) }),
     l("h1", { title: o.file || Z.value?.file, children: [
       Z.value?.name ?? "Lampyris",
       l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
-      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
-      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => oe("redo"), children: l(G, { name: "redo" }) })
+      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => ee("undo"), children: l(z, { name: "undo" }) }),
+      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => ee("redo"), children: l(z, { name: "redo" }) })
     ] }),
     l(qt, { id: "view-menu", label: l(X, { children: [
       "View ",
-      l(G, { name: "down" })
-    ] }), title: "View", children: l(ee, { part: "ViewItems" }) }),
+      l(z, { name: "down" })
+    ] }), title: "View", children: l(te, { part: "ViewItems" }) }),
     l("span", { class: "group wide", children: [
-      l("button", { "aria-pressed": !1, onClick: () => oe("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
-      l("button", { onClick: () => oe("inside"), title: "Inside (Shift+0)", children: "Inside" })
+      l("button", { "aria-pressed": !1, onClick: () => ee("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      l("button", { onClick: () => ee("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     l("span", { class: "gap" }),
     l(qt, { id: "seeing-menu", label: l(X, { children: [
       "Picture ",
-      l(G, { name: "down" })
-    ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
+      l(z, { name: "down" })
+    ] }), title: "Picture: tone, white, figures", children: l(te, { part: "SeeingItems" }) }),
     l("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => ee("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(G, { name: "minus" }) }),
+      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(z, { name: "minus" }) }),
       l("label", { children: [
         l("span", { "aria-hidden": "true", children: "EV" }),
         l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
       ] }),
-      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(G, { name: "plus" }) }),
-      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(z, { name: "plus" }) }),
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(z, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
@@ -2004,12 +2004,12 @@ function wa() {
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
         onClick: () => _e.value = !_e.value,
-        children: l(G, { name: _e.value ? "lock" : "unlock" })
+        children: l(z, { name: _e.value ? "lock" : "unlock" })
       }
     ),
     pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
-    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(G, { name: "help" }) }),
-    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(G, { name: "search" }) }),
+    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(z, { name: "help" }) }),
+    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(z, { name: "search" }) }),
     l(
       "button",
       {
@@ -2017,7 +2017,7 @@ function wa() {
         "aria-label": Ae.value === "inspector" ? "Lamps" : "Inspector",
         title: Ae.value === "inspector" ? "Lamps" : "Inspector",
         onClick: () => Ae.value = Ae.value === "inspector" ? "lamps" : "inspector",
-        children: l(G, { name: Ae.value === "inspector" ? "lamps" : "sliders" })
+        children: l(z, { name: Ae.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
@@ -2140,17 +2140,17 @@ var kl = {
 };
 function xl(e) {
   let t = e.key.toLowerCase();
-  return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
+  return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "g" ? e.shiftKey ? "ungroup" : "group" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
 function Sl() {
-  z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+  G.peek() ? G.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
 function Ta(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
 function Pa(e) {
-  let t = ne(), n = ft();
+  let t = oe(), n = ft();
   !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
 function Ml(e) {
@@ -2202,7 +2202,7 @@ function Ml(e) {
   if (!e.shiftKey && e.key !== "?" && Ca[e.code]) return De(e, Ca[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
-  if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
+  if (o === "l" && !e.shiftKey) return void (e.repeat || ee("highlight"));
   if (o === "p" && e.shiftKey) return Cl();
   let r = e.shiftKey && Ma[o] ? Ma[o] : kl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
@@ -2212,7 +2212,7 @@ function Cl() {
   n && Me("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
 function De(e, t) {
-  e.preventDefault(), oe(t);
+  e.preventDefault(), ee(t);
 }
 function El(e) {
   jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
@@ -2310,7 +2310,7 @@ var Ra = -1e9;
 addEventListener("scroll", () => Ra = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
 function Hr(e) {
-  let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
+  let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
     n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
@@ -2372,7 +2372,7 @@ function Oa(e) {
 }
 var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
 function Ha({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
+  let o = ne(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
   let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => xe.value.includes(_)), f = xe.value.length > 0 && !p.some((_) => xe.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
     begin: () => o.current = new _n(r),
@@ -2394,9 +2394,9 @@ function Ha({ row: e, index: t, count: n }) {
       onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => me.value = null,
       children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(z, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(z, { name: mt.value.has(e.id) ? "right" : "down" }) }),
           l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
@@ -2410,7 +2410,7 @@ function Ha({ row: e, index: t, count: n }) {
             l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
             Oa(i)
           ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(z, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
@@ -2454,7 +2454,7 @@ function Ha({ row: e, index: t, count: n }) {
 // src/virtual.tsx
 var Da = 4;
 function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = te(null), s = nt(0), p = nt(600);
+  let a = ne(null), s = nt(0), p = nt(600);
   Ee(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
@@ -2498,7 +2498,7 @@ function Ka(e) {
   t.delete(e) || t.add(e), mt.value = t;
 }
 function Dr(e, t, n) {
-  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
 function Rl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
@@ -2550,7 +2550,7 @@ function qa() {
         ] })
       ] })
     ] }),
-    r && l(ee, { part: "SheetHead" }),
+    r && l(te, { part: "SheetHead" }),
     l(
       Fr,
       {
@@ -2567,7 +2567,8 @@ function qa() {
     ue.value.length > 1 && l("p", { class: "several", children: [
       ue.value.length,
       " selected; a fader moves them in proportion",
-      l("button", { onClick: () => oe("none"), children: "None" })
+      P.value?.kind === "lamp" && l("button", { onClick: () => ee("group"), children: "Group" }),
+      l("button", { onClick: () => ee("none"), children: "None" })
     ] }),
     !e.length && M.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
@@ -2697,11 +2698,11 @@ function Ba() {
 }
 
 // src/pointer.ts
-var Kl = 4, za = 35e-4, Dl = 0.15;
+var Kl = 4, Ga = 35e-4, Dl = 0.15;
 function Fl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ga(e, t) {
+function za(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2719,7 +2720,7 @@ function Ga(e, t) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
     let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Fl(Xn.peek(), h.button, V);
-    A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
+    A === "look" && oe()?.height && (A = "pan"), G.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
@@ -2756,14 +2757,14 @@ function Ga(e, t) {
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
         return;
       }
-      if (z.peek() === "marquee" && v.button === 0) {
+      if (G.peek() === "marquee" && v.button === 0) {
         t.marquee([v.startX, v.startY], [$, L], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * za, R * A * za);
+          no(R * V * Ga, R * A * Ga);
           break;
         }
         case "orbit":
@@ -2784,7 +2785,7 @@ function Ga(e, t) {
     let v = n.get(h.pointerId);
     if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (c = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
-        z.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        G.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
         return;
       }
       if (v.touch) {
@@ -2801,15 +2802,15 @@ function Ga(e, t) {
   }
   let x = null;
   function k(h, v, $, L) {
-    let V = ne(), A = ft();
+    let V = oe(), A = ft();
     if (!V || !A) return;
     if (V.height) return Q(Fn(V, A, h, v, $));
     let R = performance.now();
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (zr) => {
-        vt.point = zr.point, r = m(zr.point);
+      d(h, v, (Gr) => {
+        vt.point = Gr.point, r = m(Gr.point);
       });
     }
     x.time = R;
@@ -2827,7 +2828,7 @@ function Ga(e, t) {
   let C = (h) => h.preventDefault(), Ce = () => {
     clearTimeout(a), t.unhover();
   }, Je = (h) => {
-    !h.target.closest("[data-handle]") && z.peek() === null && t.double();
+    !h.target.closest("[data-handle]") && G.peek() === null && t.double();
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
   }, ve = new ResizeObserver(() => {
@@ -3079,7 +3080,7 @@ function Bl() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
+        rt.value.undo && l("button", { onClick: () => ee("undo"), children: "Undo" }),
         l("button", { onClick: Wl, children: "Turn on" })
       ] });
     case "slow":
@@ -3113,25 +3114,25 @@ function es() {
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => or(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => or(t.id), children: l(z, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
 var ns = g(null);
-function zl(e, t) {
+function Gl(e, t) {
   let n = Xa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Gl = {
+var zl = {
   click(e, t, n) {
     let o = ts(e, t);
-    if (z.peek() === null && o) return ze(o.kind, o.id, n);
+    if (G.peek() === null && o) return Ge(o.kind, o.id, n);
     wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return fa(r);
+      if (r && (to.value = { point: r.point, normal: r.normal }), G.peek() !== null) return fa(r);
       ia(r, n), P.peek() && (Ae.value = "inspector");
     });
   },
@@ -3154,8 +3155,8 @@ var Gl = {
   },
   marquee(e, t, n) {
     if (ns.value = n ? null : { from: e, to: t }, !n) return;
-    let o = zl(e, t);
-    P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
+    let o = Gl(e, t);
+    P.value = o.length ? { kind: "lamp", ids: o } : null, G.value = null;
   }
 };
 function ts(e, t) {
@@ -3177,10 +3178,10 @@ var Xl = {
   marquee: "Drag around the lamps to select. Esc to leave."
 };
 function os() {
-  let e = te(null), t = te(null), n = te(null);
+  let e = ne(null), t = ne(null), n = ne(null);
   return Ee(() => {
     Xo(t.current);
-    let o = Qa(n.current), r = Ga(e.current, Gl);
+    let o = Qa(n.current), r = za(e.current, zl);
     return () => {
       Xo(null), o(), r();
     };
@@ -3191,31 +3192,31 @@ function os() {
     l(
       "div",
       {
-        class: z.value ? "stage tooled" : "stage",
+        class: G.value ? "stage tooled" : "stage",
         id: "view",
         ref: e,
         tabIndex: 0,
         role: "application",
         "aria-label": `View of ${Z.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
         "aria-describedby": "view-keys",
-        "data-tool": z.value ?? "",
+        "data-tool": G.value ?? "",
         children: [
           l("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
-          l(ee, { part: "Gizmo" }),
-          l(ee, { part: "Compare" }),
+          l(te, { part: "Gizmo" }),
+          l(te, { part: "Compare" }),
           l(Yl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: Xl[z.value] }),
+    G.value && l("p", { class: "hint", role: "status", children: Xl[G.value] }),
     l(es, {}),
-    l(ee, { part: "Legend" }),
-    l(ee, { part: "CutBar" }),
-    l(ee, { part: "ViewStrip" }),
-    l(ee, { part: "WalkPad" }),
-    l(ee, { part: "What" })
+    l(te, { part: "Legend" }),
+    l(te, { part: "CutBar" }),
+    l(te, { part: "ViewStrip" }),
+    l(te, { part: "WalkPad" }),
+    l(te, { part: "What" })
   ] });
 }
 function Yl() {
@@ -3239,10 +3240,10 @@ function Ql() {
     l(wa, {}),
     l(qa, {}),
     l(os, {}),
-    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
-    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
+    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(te, { part: "Inspector" }) }),
+    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(te, { part: "Strip" }) }),
     l(Ba, {}),
-    l(ee, { part: "Sheets" })
+    l(te, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
@@ -3267,19 +3268,19 @@ T(() => {
 });
 va();
 Va();
-zi();
+Gi();
 export {
   _n as Fade,
   gn as Field,
   X as Fragment,
   Be as Gesture,
-  G as Icon,
+  z as Icon,
   xr as Item,
   Vs as PRESETS,
   Hr as Range,
   Fr as Virtual,
   ot as across,
-  oe as act,
+  ee as act,
   I as add,
   dr as adding,
   hl as allActions,
@@ -3333,7 +3334,7 @@ export {
   Qs as handles,
   Xn as hands,
   Se as hear,
-  ne as here,
+  oe as here,
   Aa as hex,
   co as highlight,
   rt as history,
@@ -3373,7 +3374,7 @@ export {
   le as say,
   S as scale,
   Z as scene,
-  ze as select,
+  Ge as select,
   P as selection,
   H as send,
   sl as setCut,
@@ -3386,7 +3387,7 @@ export {
   to as spot,
   mr as startTool,
   Pe as status,
-  zs as step,
+  Gs as step,
   Js as stepSelection,
   dl as storeLook,
   pl as storeView,
@@ -3402,7 +3403,7 @@ export {
   $r as toTravel,
   br as toggleFalse,
   Ys as toggleWipe,
-  z as tool,
+  G as tool,
   Yn as travel,
   en as turn,
   Ar as typeGroupLevel,
@@ -3411,7 +3412,7 @@ export {
   Ie as up,
   Ee as useEffect,
   gs as useLayoutEffect,
-  te as useRef,
+  ne as useRef,
   Ht as viewName,
   we as viewSize,
   St as views,
@@ -3421,6 +3422,6 @@ export {
   Ye as what,
   Jn as whyNot,
   _r as whyNotTo,
-  Gs as wipeAt,
+  zs as wipeAt,
   Us as workPlane
 };

@@ -1,267 +1,291 @@
 // src/later/actions.ts
 import {
-  adding as Kl,
-  asked as Bl,
-  ask as Ul,
-  back as _l,
-  candles as ba,
-  chosenLamps as pe,
-  clearSolo as jl,
-  command as cn,
-  compareHeld as zl,
-  copyText as Xl,
-  deselect as Ql,
-  each as dn,
-  edit as mn,
-  exposeBy as fa,
-  falseColor as Yl,
-  fine as va,
-  forth as Zl,
-  frameSelection as Jl,
-  go as er,
-  goHome as tr,
-  goInside as nr,
-  goPreset as ar,
-  handles as ya,
-  hands as or,
-  here as lr,
-  highlight as rr,
-  history as ka,
-  lampMarks as wa,
-  lamps as bt,
-  listing as xa,
-  lookOnly as Ma,
-  panels as Sa,
-  PRESETS as ir,
-  register as sr,
-  say as gt,
-  scene as ur,
-  selection as Ta,
-  send as cr,
-  sheet as ze,
-  show as pr,
-  soloSelection as dr,
-  spot as Xe,
+  adding as er,
+  asked as tr,
+  ask as nr,
+  back as ar,
+  candles as Ca,
+  chosenLamps as de,
+  clearSolo as or,
+  command as gn,
+  compareHeld as lr,
+  copyText as rr,
+  deselect as ir,
+  each as fn,
+  edit as vn,
+  exposeBy as $a,
+  falseColor as sr,
+  fine as La,
+  forth as ur,
+  frameSelection as cr,
+  go as pr,
+  goHome as dr,
+  goInside as mr,
+  goPreset as hr,
+  handles as Pa,
+  hands as gr,
+  here as br,
+  highlight as fr,
+  history as Va,
+  lampMarks as Ta,
+  lamps as xt,
+  listing as Ea,
+  lookOnly as Ia,
+  panels as Aa,
+  PRESETS as vr,
+  register as yr,
+  say as wt,
+  scene as kr,
+  selection as Ga,
+  send as wr,
+  sheet as Qe,
+  show as xr,
+  soloSelection as Mr,
+  spot as Ye,
   startTool as xe,
-  stepSelection as Ca,
-  storeLook as mr,
-  storeView as hr,
-  theme as $a,
-  things as La,
-  titleOf as Ea,
-  toggleFalse as gr,
-  toggleWipe as br,
-  travel as Pa,
-  views as fr,
-  walking as pn,
-  whyNot as Q
+  stepSelection as Ra,
+  storeLook as Sr,
+  storeView as Cr,
+  theme as qa,
+  things as Fa,
+  titleOf as Da,
+  toggleFalse as $r,
+  toggleWipe as Lr,
+  travel as Na,
+  views as Pr,
+  walking as bn,
+  whyNot as _
 } from "./desk.js";
+
+// src/later/grouping.ts
+import { chosenLamps as Xe, groups as ft, lamps as Jl, selection as vt, step as ka, titleOf as wa } from "./desk.js";
 
 // src/later/tools.ts
 import {
-  add as ct,
-  adding as Vl,
-  chosenLamps as sa,
-  distance as Tl,
-  dot as El,
-  edit as pt,
-  effect as Il,
-  free as da,
-  grids as ua,
+  add as dt,
+  adding as Gl,
+  chosenLamps as da,
+  distance as Dl,
+  dot as Ol,
+  edit as mt,
+  effect as Wl,
+  free as ba,
+  grids as ma,
   lamps as Ve,
-  meters as ca,
-  normal as ma,
-  onTool as Al,
-  positionOf as Rl,
-  say as dt,
-  scale as ut,
-  select as ql,
-  step as rn,
-  sub as sn,
-  titleOf as mt,
+  meters as ha,
+  normal as fa,
+  onTool as Kl,
+  positionOf as Bl,
+  say as ht,
+  scale as pt,
+  select as Ul,
+  step as mn,
+  sub as hn,
+  titleOf as gt,
   tool as we,
-  untracked as Fl,
-  up as ha,
-  workPlane as Hl
+  untracked as _l,
+  up as va,
+  workPlane as jl
 } from "./desk.js";
 
 // src/later/area.ts
-import { ask as vl, camera as yl, cross as kl, dot as ke, effect as oa, add as an, normal as wl, scale as Pe, scene as la, selection as xl, signal as Ml, sub as Sl, tool as Cl } from "./desk.js";
-var $l = 0.5, Ll = 0.3;
-function Pl(e) {
+import { ask as Pl, camera as Vl, cross as Tl, dot as ke, effect as sa, add as cn, normal as El, scale as Pe, scene as ua, selection as Il, signal as Al, sub as Rl, tool as ql } from "./desk.js";
+var Fl = 0.5, Nl = 0.3;
+function Hl(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-var it = (e, t = 0) => e > 2 * t ? e - 2 * t : e;
-function ln(e) {
-  let [t, n] = [Math.min(...e), Math.max(...e)], a = n >= 2 * t ? t : n, o = a / Math.max(1, Math.round(a / Pl(a)));
-  return e.map((r) => Math.max(1, Math.round(r / o)));
+var ut = (e, t = 0) => e > 2 * t ? e - 2 * t : e;
+function dn(e) {
+  let [t, n] = [Math.min(...e), Math.max(...e)], a = n >= 2 * t ? t : n, o = a / Math.max(1, Math.round(a / Hl(a)));
+  return e.map((l) => Math.max(1, Math.round(l / o)));
 }
-function ra(e, t, n, a, o) {
-  let r = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], l = wl(kl(n, r)), c = Sl(t.point, e.point), [p, i] = [ke(c, r), ke(c, l)];
+function ca(e, t, n, a, o) {
+  let l = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = El(Tl(n, l)), s = Rl(t.point, e.point), [p, i] = [ke(s, l), ke(s, r)];
   if (Math.abs(p) < 0.05 || Math.abs(i) < 0.05) return null;
-  let s = (ee) => ke(ee, n) - a, u = [e, t].every((ee) => ke(ee.normal, n) > 0.7 && s(ee.point) > Ll), h = u ? 0 : $l, d = u ? 0 : o - s(e.point), v = an(an(e.point, Pe(n, d)), an(Pe(r, Math.min(p, 0)), Pe(l, Math.min(i, 0)))), f = [Math.abs(p), Math.abs(i)], [T, F] = ln(f.map((ee) => it(ee, h)));
-  return { corner: v, u: Pe(r, f[0]), v: Pe(l, f[1]), normal: n, columns: T, rows: F, border: h };
+  let u = (ee) => ke(ee, n) - a, c = [e, t].every((ee) => ke(ee.normal, n) > 0.7 && u(ee.point) > Nl), h = c ? 0 : Fl, d = c ? 0 : o - u(e.point), y = cn(cn(e.point, Pe(n, d)), cn(Pe(l, Math.min(p, 0)), Pe(r, Math.min(i, 0)))), v = [Math.abs(p), Math.abs(i)], [E, F] = dn(v.map((ee) => ut(ee, h)));
+  return { corner: y, u: Pe(l, v[0]), v: Pe(r, v[1]), normal: n, columns: E, rows: F, border: h };
 }
-var ia = Ml(null);
-function st() {
-  let e = la.value;
-  return ia.value ?? (e ? Math.min(ke(e.bounds[0], e.up), ke(e.bounds[1], e.up)) : 0);
+var pa = Al(null);
+function ct() {
+  let e = ua.value;
+  return pa.value ?? (e ? Math.min(ke(e.bounds[0], e.up), ke(e.bounds[1], e.up)) : 0);
 }
-var on = null;
-oa(() => {
-  let e = yl.value;
-  e && !e.height && (on = e.eye);
+var pn = null;
+sa(() => {
+  let e = Vl.value;
+  e && !e.height && (pn = e.eye);
 });
-oa(() => {
-  let e = la.value?.up;
-  !e || !on || Cl.value !== "grid" && xl.value?.kind !== "grid" || vl("ray", { origin: on, direction: Pe(e, -1) }, (t) => {
-    t.hit && (ia.value = ke(t.point, e));
+sa(() => {
+  let e = ua.value?.up;
+  !e || !pn || ql.value !== "grid" && Il.value?.kind !== "grid" || Pl("ray", { origin: pn, direction: Pe(e, -1) }, (t) => {
+    t.hit && (pa.value = ke(t.point, e));
   });
 });
 
 // src/later/tools.ts
-var Ke = null, Nl = { lux: 500, uniformity: 0.6 };
-Il(() => {
+var Ke = null, zl = { lux: 500, uniformity: 0.6 };
+Wl(() => {
   we.value !== "grid" && (Ke = null);
 });
-function Ol(e) {
-  if (!e) return dt("There is nothing at that point.", "warn");
+function Xl(e) {
+  if (!e) return ht("There is nothing at that point.", "warn");
   switch (we.peek()) {
     case "aim":
-      Be(sa.peek(), e.point), we.value = null;
+      Be(da.peek(), e.point), we.value = null;
       break;
     case "place":
-      Dl(sa.peek(), e), we.value = null;
+      Ql(da.peek(), e), we.value = null;
       break;
     case "meter":
-      Ue(e.point, e.normal), we.value = null;
+      _e(e.point, e.normal), we.value = null;
       break;
     case "grid":
       if (!Ke) {
         Ke = e;
         return;
       }
-      Wl(Ke, e), Ke = null, we.value = null;
+      Yl(Ke, e), Ke = null, we.value = null;
       break;
     case "add":
-      Gl(Vl.peek(), e), we.value = null;
+      Zl(Gl.peek(), e), we.value = null;
       break;
   }
 }
-Al(Ol);
+Kl(Xl);
 function Be(e, t) {
   let n = {};
   for (let a of e) {
     let o = Ve.get(a)?.place;
-    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: ma(sn(t, o.position)) } });
+    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: fa(hn(t, o.position)) } });
   }
-  if (!Object.keys(n).length) return dt("What is selected shines into all directions: it cannot be aimed.", "warn");
-  pt(`Aim ${mt(e)}`, { lamps: n });
+  if (!Object.keys(n).length) return ht("What is selected shines into all directions: it cannot be aimed.", "warn");
+  mt(`Aim ${gt(e)}`, { lamps: n });
 }
-function un(e, t) {
+function Ue(e, t) {
   let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
-    let r = o.filter((l) => !n.has(l));
-    r.length && (ql(t, r[r.length - 1]), queueMicrotask(() => a()));
+    let l = o.filter((r) => !n.has(r));
+    l.length && (Ul(t, l[l.length - 1]), queueMicrotask(() => a()));
   });
   setTimeout(() => a(), 3e3);
 }
-function Dl(e, t) {
-  let n = je(e), a = n.get(e[e.length - 1]);
-  if (!a) return dt("What is selected has no place.", "warn");
+function Ql(e, t) {
+  let n = ze(e), a = n.get(e[e.length - 1]);
+  if (!a) return ht("What is selected has no place.", "warn");
   let o = (Ve.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
-  pt(`Put ${mt(e)} on a surface`, _e(e, sn(ct(t.point, ut(t.normal, o)), a), n));
+  mt(`Put ${gt(e)} on a surface`, je(e, hn(dt(t.point, pt(t.normal, o)), a), n));
 }
-function Ue(e, t) {
-  let n = da(ca);
-  un(ca, "meter"), pt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+function _e(e, t) {
+  let n = ba(ha);
+  Ue(ha, "meter"), mt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function Wl(e, t) {
-  let n = ra(e, t, ha.peek(), Fl(st), Hl.peek());
-  if (!n) return dt("An area needs two corners that lie apart.", "warn");
-  let a = da(ua);
-  un(ua, "grid"), pt("Lay a grid", { grids: { [a]: { name: `Area ${a + 1}`, ...n, target: Nl } } });
+function Yl(e, t) {
+  let n = ca(e, t, va.peek(), _l(ct), jl.peek());
+  if (!n) return ht("An area needs two corners that lie apart.", "warn");
+  let a = ba(ma);
+  Ue(ma, "grid"), mt("Lay a grid", { grids: { [a]: { name: `Area ${a + 1}`, ...n, target: zl } } });
 }
-var pa = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function Gl(e, t) {
-  let n = ha.peek(), a = El(t.normal, n), o = a > 0.7 ? ct(t.point, ut(n, 1.2)) : ct(t.point, ut(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ut(n, -1) : t.normal, l = { position: o };
-  e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
-  let c = Ve.all().filter(([, p]) => p.own).length;
-  un(Ve, "lamp"), rn(`Add ${pa[e]?.toLowerCase() ?? e} lamp`, {
+var ga = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function Zl(e, t) {
+  let n = va.peek(), a = Ol(t.normal, n), o = a > 0.7 ? dt(t.point, pt(n, 1.2)) : dt(t.point, pt(t.normal, 0.15)), l = a > 0.7 || a < -0.7 ? pt(n, -1) : t.normal, r = { position: o };
+  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
+  let s = Ve.all().filter(([, p]) => p.own).length;
+  Ue(Ve, "lamp"), mn(`Add ${ga[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${pa[e] ?? e} ${c + 1}`, kind: e, flux: 800, place: l }
+    lamp: { name: `${ga[e] ?? e} ${s + 1}`, kind: e, flux: 800, place: r }
   });
 }
-function ht(e, t, n) {
-  !e.length || t < 1 || rn(`Copy ${mt(e)}`, { do: "copy", lamps: e, count: t, step: n });
+function bt(e, t, n) {
+  !e.length || t < 1 || mn(`Copy ${gt(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function ga(e) {
-  e.length && rn(`Remove ${mt(e)}`, { do: "remove", lamps: e });
+function ya(e) {
+  e.length && mn(`Remove ${gt(e)}`, { do: "remove", lamps: e });
 }
-function _e(e, t, n) {
+function je(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = Ve.get(o)?.place, l = n.get(o);
-    if (!l) continue;
-    let c = ct(l, t), p = r?.aim && Tl(r.aim, c) > 1e-6 ? { direction: ma(sn(r.aim, c)) } : {};
-    a[o] = { place: { position: c, ...p } };
+    let l = Ve.get(o)?.place, r = n.get(o);
+    if (!r) continue;
+    let s = dt(r, t), p = l?.aim && Dl(l.aim, s) > 1e-6 ? { direction: fa(hn(l.aim, s)) } : {};
+    a[o] = { place: { position: s, ...p } };
   }
   return { lamps: a };
 }
-function je(e) {
+function ze(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = Ve.get(n), o = a && Rl(a);
+    let a = Ve.get(n), o = a && Bl(a);
     o && t.set(n, o);
   }
   return t;
 }
 
+// src/later/grouping.ts
+var xa = (e) => {
+  let t = Jl.get(e)?.group ?? null;
+  return t !== null && (ft.get(t)?.lamps.length ?? 0) > 1 ? t : null;
+};
+function yt() {
+  return Xe.value.length < 2 ? "Select two lamps or more first." : vt.value?.kind === "group" && vt.value.ids.length === 1 ? "This is a group already." : null;
+}
+function Ma() {
+  let e = new Set(ft.all().map(([, n]) => n.name)), t = 1;
+  for (; e.has(`Group ${t}`); ) t++;
+  Ue(ft, "group"), ka(`Group ${wa(Xe.peek())}`, { do: "group", lamps: Xe.peek(), name: `Group ${t}` });
+}
+function kt() {
+  return Xe.value.some((e) => xa(e) !== null) ? null : "What is selected is in no group.";
+}
+function Sa() {
+  let e = vt.peek(), t = Xe.peek().filter((a) => xa(a) !== null), n = e?.kind === "group" && e.ids.length === 1 ? ft.get(e.ids[0]) : void 0;
+  ka(n ? `Dissolve ${n.name}` : `Take ${wa(t)} out`, { do: "group", lamps: t }), vt.value = { kind: "lamp", ids: t };
+}
+
 // src/later/actions.ts
-var oe = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
-function vr() {
-  let e = pe.peek(), t = !e.some((n) => bt.get(n)?.on);
-  mn(`${Ea(e)} ${t ? "on" : "off"}`, { lamps: dn(e, { on: t }) });
+var le = () => _() ?? (de.value.length ? null : "Select a lamp first.");
+function Vr() {
+  let e = de.peek(), t = !e.some((n) => xt.get(n)?.on);
+  vn(`${Da(e)} ${t ? "on" : "off"}`, { lamps: fn(e, { on: t }) });
 }
-function yr() {
-  let e = pe.peek(), t = !e.every((n) => bt.get(n)?.parked);
-  mn(`${t ? "Park" : "Unpark"} ${Ea(e)}`, { lamps: dn(e, { parked: t }) });
+function Tr() {
+  let e = de.peek(), t = !e.every((n) => xt.get(n)?.parked);
+  vn(`${t ? "Park" : "Unpark"} ${Da(e)}`, { lamps: fn(e, { parked: t }) });
 }
-function Va(e) {
-  let t = Ta.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : La.ids.peek().filter((a) => La.get(a)?.hidden);
-  if (!n.length) return gt(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  mn(e ? "Hide things" : "Show hidden things", { things: dn(n, { hidden: e }) });
+function Ha(e) {
+  let t = Ga.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : Fa.ids.peek().filter((a) => Fa.get(a)?.hidden);
+  if (!n.length) return wt(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  vn(e ? "Hide things" : "Show hidden things", { things: fn(n, { hidden: e }) });
 }
-function kr() {
-  let e = pe.peek()[0], t = bt.get(e)?.place, n = lr();
-  if (!t?.position || !t.direction || !n) return gt("Select a lamp that has a direction.", "warn");
+function Er() {
+  let e = de.peek()[0], t = xt.get(e)?.place, n = br();
+  if (!t?.position || !t.direction || !n) return wt("Select a lamp that has a direction.", "warn");
   let { position: a, direction: o } = t;
-  er({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+  pr({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function wr() {
-  Ul("command", {}, (e) => {
-    Xl(e.text);
+function Ir() {
+  nr("command", {}, (e) => {
+    rr(e.text);
   });
 }
-var xr = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Mr = {
+var Ar = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Rr = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Sr = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: Jl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: tr },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: nr },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: _l },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: Zl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: hr, why: Q },
-  ...ir.map((e, t) => ({
+}, qr = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: cr },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: dr },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: mr },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: ar },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: ur },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Cr, why: _ },
+  ...vr.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Mr[e],
+    label: Rr[e],
     keys: `Shift+${t + 1}`,
-    run: () => ar(e)
+    run: () => hr(e)
   })),
   {
     id: "walking",
@@ -269,121 +293,123 @@ var xr = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      pn.value = pn.peek() === "walk" ? "fly" : "walk", gt(pn.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      bn.value = bn.peek() === "walk" ? "fly" : "walk", wt(bn.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: kr, why: oe },
-  { id: "next", group: "Select", label: "Next", keys: "]", run: () => Ca(1) },
-  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => Ca(-1) },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Er, why: le },
+  { id: "next", group: "Select", label: "Next", keys: "]", run: () => Ra(1) },
+  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => Ra(-1) },
   { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => xe("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => Ta.value = { kind: "lamp", ids: bt.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Ql },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: vr, why: oe },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: dr, why: () => pe.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: jl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => rr(!0), why: oe },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: yr, why: oe },
-  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => xe("aim"), why: oe },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Xe.peek() && Be(pe.peek(), Xe.peek().point), why: oe },
-  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => xe("place"), why: oe },
-  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => ya.value = "move" },
-  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => ya.value = "turn" },
-  ...xr.map(([e, t]) => ({
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => Ga.value = { kind: "lamp", ids: xt.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: ir },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Vr, why: le },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Mr, why: () => de.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: or },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => fr(!0), why: le },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Tr, why: le },
+  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => xe("aim"), why: le },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Ye.peek() && Be(de.peek(), Ye.peek().point), why: le },
+  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => xe("place"), why: le },
+  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => Pa.value = "move" },
+  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => Pa.value = "turn" },
+  ...Ar.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
-    why: Q,
+    why: _,
     run: () => {
-      Kl.value = e, xe("add");
+      er.value = e, xe("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => ht(pe.peek(), 1, [0.5, 0, 0]), why: oe },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => ga(pe.peek()), why: oe },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => Va(!0), why: Q },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => Va(!1), why: Q },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => cn({ do: "undo" }), why: () => Q() ?? (ka.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => cn({ do: "redo" }), why: () => Q() ?? (ka.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => ze.value = "save", why: Q },
-  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => ze.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: wr },
-  { id: "share", group: "Work", label: "Share by link", run: () => ze.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: gr },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => bt(de.peek(), 1, [0.5, 0, 0]), why: le },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => ya(de.peek()), why: le },
+  { id: "group", group: "Lamps", label: "Group: one master for those selected", keys: "Ctrl+G", run: Ma, why: () => _() ?? yt() },
+  { id: "ungroup", group: "Lamps", label: "Dissolve the group, or take lamps out of it", keys: "Ctrl+Shift+G", run: Sa, why: () => _() ?? kt() },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => Ha(!0), why: _ },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => Ha(!1), why: _ },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => gn({ do: "undo" }), why: () => _() ?? (Va.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => gn({ do: "redo" }), why: () => _() ?? (Va.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => Qe.value = "save", why: _ },
+  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => Qe.value = "picture" },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Ir },
+  { id: "share", group: "Work", label: "Share by link", run: () => Qe.value = "share" },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: $r },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = Yl();
-      pr({ false_color: { ...Bl(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = sr();
+      xr({ false_color: { ...tr(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
-  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => fa(1) },
-  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => fa(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => cr({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => zl(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: br },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Xe.peek() ? Ue(Xe.peek().point, Xe.peek().normal) : xe("meter") },
-  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => xe("meter"), why: Q },
-  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => xe("grid"), why: Q },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => cn({ do: "reach" }), why: Q },
-  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => ba.value = ba.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: mr, why: Q },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => gt("Press J, then the digit of the look.") },
-  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => Sa.value = !Sa.peek() },
-  { id: "listing", group: "Page", label: "Faders or sheet", run: () => xa.value = xa.peek() === "faders" ? "sheet" : "faders" },
-  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => Pa.value = Pa.peek() === "square" ? "linear" : "square" },
-  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => wa.value = !wa.peek() },
-  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => va.value = !va.peek() },
-  { id: "theme", group: "Page", label: "Light or dark", run: () => $a.value = $a.peek() === "dark" ? "light" : "dark" },
-  { id: "lock", group: "Page", label: "Look-only lock", run: () => Ma.value = !Ma.peek() },
+  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => $a(1) },
+  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => $a(-1) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => wr({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => lr(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Lr },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: _, run: () => Ye.peek() ? _e(Ye.peek().point, Ye.peek().normal) : xe("meter") },
+  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => xe("meter"), why: _ },
+  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => xe("grid"), why: _ },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => gn({ do: "reach" }), why: _ },
+  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => Ca.value = Ca.peek() === "lx" ? "fc" : "lx" },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Sr, why: _ },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => wt("Press J, then the digit of the look.") },
+  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => Aa.value = !Aa.peek() },
+  { id: "listing", group: "Page", label: "Faders or sheet", run: () => Ea.value = Ea.peek() === "faders" ? "sheet" : "faders" },
+  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => Na.value = Na.peek() === "square" ? "linear" : "square" },
+  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => Ta.value = !Ta.peek() },
+  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => La.value = !La.peek() },
+  { id: "theme", group: "Page", label: "Light or dark", run: () => qa.value = qa.peek() === "dark" ? "light" : "dark" },
+  { id: "lock", group: "Page", label: "Look-only lock", run: () => Ia.value = !Ia.peek() },
   ...["default", "blender", "maya", "trackpad"].map((e) => ({
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => or.value = e
+    run: () => gr.value = e
   })),
-  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => ze.value = "help" },
-  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => ze.value = "palette" }
+  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => Qe.value = "help" },
+  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => Qe.value = "palette" }
 ];
-sr(Sr);
-function ft() {
-  return [...(ur.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...fr.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+yr(qr);
+function Mt() {
+  return [...(kr.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Pr.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/compare.tsx
-import { before as Cr, comparing as $r, digits as Lr, fitted as Pr, useEffect as Vr, useRef as Tr, viewSize as Er, wipeAt as hn } from "./desk.js";
-import { Fragment as Ar, jsx as gn, jsxs as Rr } from "./desk.js";
-function Ir() {
-  let e = $r.value, t = Cr.value, n = Tr(null);
-  if (Vr(() => {
+import { before as Fr, comparing as Nr, digits as Hr, fitted as Gr, useEffect as Dr, useRef as Or, viewSize as Wr, wipeAt as yn } from "./desk.js";
+import { Fragment as Br, jsx as kn, jsxs as Ur } from "./desk.js";
+function Kr() {
+  let e = Nr.value, t = Fr.value, n = Or(null);
+  if (Dr(() => {
     let i = n.current;
     !i || !t || (i.width = t.picture.width, i.height = t.picture.height, i.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Er.value, o = hn.value, r = Pr(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), c = (i) => {
-    let s = i.currentTarget;
-    if (i.stopPropagation(), i.type === "pointerdown") s.setPointerCapture(i.pointerId);
-    else if (s.hasPointerCapture(i.pointerId)) {
-      let u = s.parentElement.getBoundingClientRect();
-      hn.value = Math.max(0, Math.min(1, (i.clientX - u.left) / u.width));
+  let [a] = Wr.value, o = yn.value, l = Gr(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), s = (i) => {
+    let u = i.currentTarget;
+    if (i.stopPropagation(), i.type === "pointerdown") u.setPointerCapture(i.pointerId);
+    else if (u.hasPointerCapture(i.pointerId)) {
+      let c = u.parentElement.getBoundingClientRect();
+      yn.value = Math.max(0, Math.min(1, (i.clientX - c.left) / c.width));
     }
   }, p = (i) => {
-    let s = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
-    s && (i.stopPropagation(), i.preventDefault(), hn.value = Math.max(0, Math.min(1, o + s)));
+    let u = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
+    u && (i.stopPropagation(), i.preventDefault(), yn.value = Math.max(0, Math.min(1, o + u)));
   };
-  return Rr(Ar, { children: [
-    gn(
+  return Ur(Br, { children: [
+    kn(
       "canvas",
       {
         ref: n,
         class: "before",
         "aria-hidden": "true",
-        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
+        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * r}% 0 0)` : "none" }
       }
     ),
-    gn("span", { class: "tag left", children: "before" }),
-    e === "wipe" && gn(
+    kn("span", { class: "tag left", children: "before" }),
+    e === "wipe" && kn(
       "div",
       {
         class: "wipe",
@@ -394,10 +420,10 @@ function Ir() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${Lr(o * 100)} % before`,
+        "aria-valuetext": `${Hr(o * 100)} % before`,
         style: { left: `${100 * o}%` },
-        onPointerDown: c,
-        onPointerMove: c,
+        onPointerDown: s,
+        onPointerMove: s,
         onKeyDown: p
       }
     )
@@ -406,312 +432,312 @@ function Ir() {
 
 // src/later/handles.tsx
 import {
-  add as Ha,
-  chosenLamps as Kr,
-  computed as vn,
-  editor as Br,
-  effect as Ur,
-  fitted as _r,
-  Gesture as jr,
-  handles as zr,
-  lamps as yt,
-  lookOnly as Xr,
-  middle as Qr,
-  nameOf as Yr,
-  normal as Zr,
-  pinhole as Jr,
-  positionOf as Oa,
-  role as ei,
-  selection as ti,
-  shown as ni,
-  sub as ai,
-  things as kt,
-  titleOf as oi,
-  tool as li,
-  turn as Na,
-  useEffect as ri,
-  useRef as ii,
-  viewSize as si
+  add as _a,
+  chosenLamps as ei,
+  computed as Mn,
+  editor as ti,
+  effect as ni,
+  fitted as ai,
+  Gesture as oi,
+  handles as li,
+  lamps as Ct,
+  lookOnly as ri,
+  middle as ii,
+  nameOf as si,
+  normal as ui,
+  pinhole as ci,
+  positionOf as za,
+  role as pi,
+  selection as di,
+  shown as mi,
+  sub as hi,
+  things as $t,
+  titleOf as gi,
+  tool as bi,
+  turn as ja,
+  useEffect as fi,
+  useRef as vi,
+  viewSize as yi
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as Ia, ray as qr } from "./desk.js";
-import { across as Fr, add as le, cross as Hr, distance as Nr, dot as de, length as Or, normal as bn, scale as re, sub as Te } from "./desk.js";
-var Dr = "http://www.w3.org/2000/svg", fn = 84, Me = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], vt = ["x", "y", "z"], Aa = 0.1, Wr = 5 * Math.PI / 180, Ra = 48;
-function Fa(e, t) {
+import { project as Oa, ray as _r } from "./desk.js";
+import { across as jr, add as re, cross as zr, distance as Xr, dot as me, length as Qr, normal as wn, scale as ie, sub as Te } from "./desk.js";
+var Yr = "http://www.w3.org/2000/svg", xn = 84, Me = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], St = ["x", "y", "z"], Wa = 0.1, Zr = 5 * Math.PI / 180, Ka = 48;
+function Ua(e, t) {
   let n = (m, b, k) => {
-    let w = document.createElementNS(Dr, m);
+    let w = document.createElementNS(Yr, m);
     return w.setAttribute("class", k), b.append(w), w;
   }, a = (m, b, k) => {
-    let w = n("g", e, `handle ${m} ${vt[b] ?? ""}`);
+    let w = n("g", e, `handle ${m} ${St[b] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = Me.map((m, b) => a("ring", b, `ring-${vt[b]}`)), l = Me.map((m, b) => a("plane", b, `plane-${vt[b]}`)), c = Me.map((m, b) => a("arrow", b, `move-${vt[b]}`)), p = a("centre", -1, "move-view"), i = a("aim", -1, "aim"), s = n("text", e, "handle-text"), u = (m, b) => {
-    let [k, w, E] = Ia(m.hole, b);
-    return E < 0.02 && !m.hole.parallel ? null : [m.fit.x + k * m.fit.scale, m.fit.y + w * m.fit.scale];
+  }, o = n("path", e, "aim-line"), l = Me.map((m, b) => a("ring", b, `ring-${St[b]}`)), r = Me.map((m, b) => a("plane", b, `plane-${St[b]}`)), s = Me.map((m, b) => a("arrow", b, `move-${St[b]}`)), p = a("centre", -1, "move-view"), i = a("aim", -1, "aim"), u = n("text", e, "handle-text"), c = (m, b) => {
+    let [k, w, I] = Oa(m.hole, b);
+    return I < 0.02 && !m.hole.parallel ? null : [m.fit.x + k * m.fit.scale, m.fit.y + w * m.fit.scale];
   }, h = (m, b) => {
-    let k = Ia(m.hole, b)[2];
-    return fn / m.fit.scale * m.hole.pixel * (m.hole.parallel ? 1 : Math.max(k, 0.02));
+    let k = Oa(m.hole, b)[2];
+    return xn / m.fit.scale * m.hole.pixel * (m.hole.parallel ? 1 : Math.max(k, 0.02));
   }, d = (m, b, k = !1) => {
-    let w = b.filter(($) => $ !== null), E = w.length < b.length || w.length < 2 ? "" : `M${w.map(($) => `${$[0].toFixed(1)} ${$[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
-    m.setAttribute("d", E);
-  }, v = (m, b, k) => {
+    let w = b.filter(($) => $ !== null), I = w.length < b.length || w.length < 2 ? "" : `M${w.map(($) => `${$[0].toFixed(1)} ${$[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
+    m.setAttribute("d", I);
+  }, y = (m, b, k) => {
     m.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
-  }, f = (m, b) => m.forEach((k) => k.group.classList.toggle("gone", !b));
-  function T(m, b) {
-    let k = m.position, w = u(b, k), E = h(b, k), $ = m.mode === "move";
-    f([...c, ...l, p], $ && w !== null), f(r, !$ && w !== null && m.turns);
-    let j = m.aim ?? (m.direction ? le(k, re(m.direction, 3 * E)) : null);
-    if (f([i], j !== null && w !== null), !w) {
+  }, v = (m, b) => m.forEach((k) => k.group.classList.toggle("gone", !b));
+  function E(m, b) {
+    let k = m.position, w = c(b, k), I = h(b, k), $ = m.mode === "move";
+    v([...s, ...r, p], $ && w !== null), v(l, !$ && w !== null && m.turns);
+    let z = m.aim ?? (m.direction ? re(k, ie(m.direction, 3 * I)) : null);
+    if (v([i], z !== null && w !== null), !w) {
       o.setAttribute("d", "");
       return;
     }
-    Me.forEach((W, U) => {
-      let R = u(b, le(k, re(W, E))), ot = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
-      if (c[U].group.classList.toggle("gone", !$ || ot), R && $) {
-        let [ye, We] = [(R[0] - w[0]) / fn, (R[1] - w[1]) / fn], rt = Math.hypot(ye, We) || 1, [ce, Ge] = [ye / rt, We / rt], nn = [w[0] + 14 * ce, w[1] + 14 * Ge];
-        d(c[U].hit, [nn, R]), c[U].seen.setAttribute("d", `M${nn[0].toFixed(1)} ${nn[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * ce - 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge + 4.5 * ce).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * ce + 4.5 * Ge).toFixed(1)} ${(R[1] - 9 * Ge - 4.5 * ce).toFixed(1)}`);
+    Me.forEach((O, U) => {
+      let q = c(b, re(k, ie(O, I))), rt = q ? Math.hypot(q[0] - w[0], q[1] - w[1]) < 12 : !0;
+      if (s[U].group.classList.toggle("gone", !$ || rt), q && $) {
+        let [ye, Oe] = [(q[0] - w[0]) / xn, (q[1] - w[1]) / xn], st = Math.hypot(ye, Oe) || 1, [pe, We] = [ye / st, Oe / st], un = [w[0] + 14 * pe, w[1] + 14 * We];
+        d(s[U].hit, [un, q]), s[U].seen.setAttribute("d", `M${un[0].toFixed(1)} ${un[1].toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}M${(q[0] - 9 * pe - 4.5 * We).toFixed(1)} ${(q[1] - 9 * We + 4.5 * pe).toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}L${(q[0] - 9 * pe + 4.5 * We).toFixed(1)} ${(q[1] - 9 * We - 4.5 * pe).toFixed(1)}`);
       }
-      let [Oe, De] = [Me[(U + 1) % 3], Me[(U + 2) % 3]], Z = Math.abs(de(W, b.hole.parallel ? b.hole.forward : bn(Te(k, b.hole.eye)))) < 0.15;
-      l[U].group.classList.toggle("gone", !$ || Z);
-      let lt = (ye, We) => u(b, le(k, le(re(Oe, ye * E), re(De, We * E)))), aa = [lt(0.3, 0.3), lt(0.5, 0.3), lt(0.5, 0.5), lt(0.3, 0.5)];
-      if (d(l[U].hit, aa, !0), d(l[U].seen, aa, !0), !$) {
-        let ye = Array.from({ length: Ra + 1 }, (We, rt) => {
-          let ce = 2 * Math.PI * rt / Ra;
-          return u(b, le(k, le(re(Oe, Math.cos(ce) * E), re(De, Math.sin(ce) * E))));
+      let [Ge, De] = [Me[(U + 1) % 3], Me[(U + 2) % 3]], Z = Math.abs(me(O, b.hole.parallel ? b.hole.forward : wn(Te(k, b.hole.eye)))) < 0.15;
+      r[U].group.classList.toggle("gone", !$ || Z);
+      let it = (ye, Oe) => c(b, re(k, re(ie(Ge, ye * I), ie(De, Oe * I)))), ia = [it(0.3, 0.3), it(0.5, 0.3), it(0.5, 0.5), it(0.3, 0.5)];
+      if (d(r[U].hit, ia, !0), d(r[U].seen, ia, !0), !$) {
+        let ye = Array.from({ length: Ka + 1 }, (Oe, st) => {
+          let pe = 2 * Math.PI * st / Ka;
+          return c(b, re(k, re(ie(Ge, Math.cos(pe) * I), ie(De, Math.sin(pe) * I))));
         });
-        d(r[U].hit, ye), d(r[U].seen, ye);
+        d(l[U].hit, ye), d(l[U].seen, ye);
       }
-    }), v(p.hit, w, 13), v(p.seen, w, 7);
-    let A = j && u(b, j);
-    d(o, [w, A]), v(i.hit, A, 16), i.seen.setAttribute("d", A ? `M${A[0] - 8} ${A[1]}h16M${A[0]} ${A[1] - 8}v16M${A[0] - 5} ${A[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+    }), y(p.hit, w, 13), y(p.seen, w, 7);
+    let R = z && c(b, z);
+    d(o, [w, R]), y(i.hit, R, 16), i.seen.setAttribute("d", R ? `M${R[0] - 8} ${R[1]}h16M${R[0]} ${R[1] - 8}v16M${R[0] - 5} ${R[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let F = t.effect(() => {
     let m = t.target.value, b = t.view.value;
-    e.classList.toggle("empty", !m || !b), m && b && T(m, b);
-  }), ee = (m, b, k) => qr(m.hole, (b.clientX - k.left - m.fit.x) / m.fit.scale, (b.clientY - k.top - m.fit.y) / m.fit.scale);
+    e.classList.toggle("empty", !m || !b), m && b && E(m, b);
+  }), ee = (m, b, k) => _r(m.hole, (b.clientX - k.left - m.fit.x) / m.fit.scale, (b.clientY - k.top - m.fit.y) / m.fit.scale);
   function ve(m, b, k) {
     m.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
       w.preventDefault(), w.stopPropagation();
-      let E = t.view.peek();
-      if (!E || !t.target.peek()) return;
-      let $ = e.getBoundingClientRect(), j = k(E), A = t.hold(b), W = ee(E, w, $);
-      j(W, !1, { ...A, move: () => {
+      let I = t.view.peek();
+      if (!I || !t.target.peek()) return;
+      let $ = e.getBoundingClientRect(), z = k(I), R = t.hold(b), O = ee(I, w, $);
+      z(O, !1, { ...R, move: () => {
       }, turn: () => {
       }, rotate: () => {
       } }), m.setPointerCapture(w.pointerId), m.classList.add("held");
       let U = (Z) => {
-        s.textContent = j(ee(E, Z, $), Z.ctrlKey || Z.metaKey, A), s.setAttribute("x", String(Z.clientX - $.left + 16)), s.setAttribute("y", String(Z.clientY - $.top - 12));
-      }, R = (Z) => {
-        m.removeEventListener("pointermove", U), m.removeEventListener("pointerup", ot), m.removeEventListener("pointercancel", Oe), removeEventListener("keydown", De, !0), m.classList.remove("held"), s.textContent = "", Z ? A.end() : A.cancel();
-      }, ot = () => R(!0), Oe = () => R(!1), De = (Z) => {
-        Z.key === "Escape" && (Z.stopPropagation(), R(!1));
+        u.textContent = z(ee(I, Z, $), Z.ctrlKey || Z.metaKey, R), u.setAttribute("x", String(Z.clientX - $.left + 16)), u.setAttribute("y", String(Z.clientY - $.top - 12));
+      }, q = (Z) => {
+        m.removeEventListener("pointermove", U), m.removeEventListener("pointerup", rt), m.removeEventListener("pointercancel", Ge), removeEventListener("keydown", De, !0), m.classList.remove("held"), u.textContent = "", Z ? R.end() : R.cancel();
+      }, rt = () => q(!0), Ge = () => q(!1), De = (Z) => {
+        Z.key === "Escape" && (Z.stopPropagation(), q(!1));
       };
-      m.addEventListener("pointermove", U), m.addEventListener("pointerup", ot), m.addEventListener("pointercancel", Oe), addEventListener("keydown", De, !0);
+      m.addEventListener("pointermove", U), m.addEventListener("pointerup", rt), m.addEventListener("pointercancel", Ge), addEventListener("keydown", De, !0);
     });
   }
-  let en = (m, b, k) => k ? Math.round(m / b) * b : m, tn = (m) => m.map((b) => b.toFixed(2)).join("  ") + " m";
+  let rn = (m, b, k) => k ? Math.round(m / b) * b : m, sn = (m) => m.map((b) => b.toFixed(2)).join("  ") + " m";
   Me.forEach((m, b) => {
-    ve(c[b].group, "move", () => {
+    ve(s[b].group, "move", () => {
       let k = t.target.peek().position, w = null;
-      return (E, $, j) => {
-        let A = Gr(k, m, E);
-        w ??= A;
-        let W = re(m, en(A - w, Aa, $));
-        return j.move(W), tn(W);
+      return (I, $, z) => {
+        let R = Jr(k, m, I);
+        w ??= R;
+        let O = ie(m, rn(R - w, Wa, $));
+        return z.move(O), sn(O);
       };
-    }), ve(l[b].group, "move", () => ta(m)), ve(r[b].group, "turn", () => {
+    }), ve(r[b].group, "move", () => la(m)), ve(l[b].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
-      return (E, $, j) => {
-        let A = qa(k.position, m, E), W = A && bn(Te(A, k.position), Fr(m));
-        if (!W) return "";
-        w.at ??= W;
-        let U = Math.atan2(de(m, Hr(w.at, W)), de(w.at, W)), R = en(U, Wr, $);
-        return j.rotate(m, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
+      return (I, $, z) => {
+        let R = Ba(k.position, m, I), O = R && wn(Te(R, k.position), jr(m));
+        if (!O) return "";
+        w.at ??= O;
+        let U = Math.atan2(me(m, zr(w.at, O)), me(w.at, O)), q = rn(U, Zr, $);
+        return z.rotate(m, q), `${(q * 180 / Math.PI).toFixed(1)}°`;
       };
     });
-  }), ve(p.group, "move", (m) => ta(m.hole.forward)), ve(i.group, "aim", (m) => {
-    let b = t.target.peek(), k = b.aim ?? le(b.position, re(b.direction, 3 * h(m, b.position))), w = na(k, m.hole.forward);
-    return (E, $, j) => {
-      let A = w(E, $), W = le(k, A);
-      return Nr(W, b.position) > 1e-3 && j.turn(bn(Te(W, b.position)), W), tn(W);
+  }), ve(p.group, "move", (m) => la(m.hole.forward)), ve(i.group, "aim", (m) => {
+    let b = t.target.peek(), k = b.aim ?? re(b.position, ie(b.direction, 3 * h(m, b.position))), w = ra(k, m.hole.forward);
+    return (I, $, z) => {
+      let R = w(I, $), O = re(k, R);
+      return Xr(O, b.position) > 1e-3 && z.turn(wn(Te(O, b.position)), O), sn(O);
     };
   });
-  function ta(m) {
-    let b = na(t.target.peek().position, m);
-    return (k, w, E) => {
+  function la(m) {
+    let b = ra(t.target.peek().position, m);
+    return (k, w, I) => {
       let $ = b(k, w);
-      return E.move($), tn($);
+      return I.move($), sn($);
     };
   }
-  function na(m, b) {
+  function ra(m, b) {
     let k = null;
-    return (w, E) => {
-      let $ = qa(m, b, w);
-      return $ ? (k ??= $, Te($, k).map((j) => en(j, Aa, E))) : [0, 0, 0];
+    return (w, I) => {
+      let $ = Ba(m, b, w);
+      return $ ? (k ??= $, Te($, k).map((z) => rn(z, Wa, I))) : [0, 0, 0];
     };
   }
   return { stop: F };
 }
-function Gr(e, t, n) {
-  let a = Te(e, n.origin), o = de(t, n.direction), r = 1 - o * o;
-  return r < 1e-6 ? 0 : (o * de(n.direction, a) - de(t, a)) / r;
+function Jr(e, t, n) {
+  let a = Te(e, n.origin), o = me(t, n.direction), l = 1 - o * o;
+  return l < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / l;
 }
-function qa(e, t, n) {
-  let a = de(t, n.direction);
-  if (Math.abs(a) < 1e-4 * Or(t)) return null;
-  let o = de(Te(e, n.origin), t) / a;
-  return o < 0 || o > 1e6 ? null : le(n.origin, re(n.direction, o));
+function Ba(e, t, n) {
+  let a = me(t, n.direction);
+  if (Math.abs(a) < 1e-4 * Qr(t)) return null;
+  let o = me(Te(e, n.origin), t) / a;
+  return o < 0 || o > 1e6 ? null : re(n.origin, ie(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as gi } from "./desk.js";
-function ui([e, t, n, a], [o, r, l, c]) {
+import { jsx as $i } from "./desk.js";
+function ki([e, t, n, a], [o, l, r, s]) {
   return [
-    a * o + e * c + t * l - n * r,
-    a * r - e * l + t * c + n * o,
-    a * l + e * r - t * o + n * c,
-    a * c - e * o - t * r - n * l
+    a * o + e * s + t * r - n * l,
+    a * l - e * r + t * s + n * o,
+    a * r + e * l - t * o + n * s,
+    a * s - e * o - t * l - n * r
   ];
 }
-var ci = () => !Xr.value && ei.value !== "watch" && Br.value.you && li.value !== "aim", Da = vn(() => {
-  let e = ti.value;
-  if (!e || !ci()) return null;
+var wi = () => !ri.value && pi.value !== "watch" && ti.value.you && bi.value !== "aim", Xa = Mn(() => {
+  let e = di.value;
+  if (!e || !wi()) return null;
   if (e.kind === "thing") {
-    let n = e.ids.filter((a) => kt.get(a) && !kt.get(a)?.locked);
+    let n = e.ids.filter((a) => $t.get(a) && !$t.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = Kr.value.filter((n) => Oa(yt.get(n)));
+  let t = ei.value.filter((n) => za(Ct.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
-}), Wa = (e) => {
-  let t = kt.get(e);
-  return t?.place?.position ?? (t?.box ? Qr(t.box) : null);
-}, pi = vn(() => {
-  let e = Da.value;
+}), Qa = (e) => {
+  let t = $t.get(e);
+  return t?.place?.position ?? (t?.box ? ii(t.box) : null);
+}, xi = Mn(() => {
+  let e = Xa.value;
   if (!e) return null;
-  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Oa(yt.get(t)) : Wa(t);
+  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? za(Ct.get(t)) : Qa(t);
   if (!n) return null;
-  let a = e.kind === "lamps" ? yt.get(t)?.place : null;
+  let a = e.kind === "lamps" ? Ct.get(t)?.place : null;
   return {
     position: n,
     direction: a?.direction ?? null,
     aim: a?.aim ?? null,
     turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: zr.value
+    mode: li.value
   };
-}), di = vn(() => {
-  let e = ni.value;
-  if (si.value, !e) return null;
+}), Mi = Mn(() => {
+  let e = mi.value;
+  if (yi.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: Jr(e.camera, t, n), fit: _r(t, n) };
-}), mi = {
-  effect: Ur,
-  target: pi,
-  view: di,
+  return { hole: ci(e.camera, t, n), fit: ai(t, n) };
+}), Si = {
+  effect: ni,
+  target: xi,
+  view: Mi,
   hold(e) {
-    let t = Da.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? oi(n) : n.length === 1 ? Yr("thing", n[0]) : `${n.length} things`, r = new jr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? je(n) : new Map(n.map((i) => [i, Wa(i)])), c = new Map(n.map((i) => [i, (a === "lamps" ? yt : kt).get(i)?.place])), p = (i) => {
-      let s = n.map((u) => [u, i(u)]).filter(([, u]) => u);
-      r.set({ [a]: Object.fromEntries(s.map(([u, h]) => [u, { place: h }])) });
+    let t = Xa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? gi(n) : n.length === 1 ? si("thing", n[0]) : `${n.length} things`, l = new oi(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? ze(n) : new Map(n.map((i) => [i, Qa(i)])), s = new Map(n.map((i) => [i, (a === "lamps" ? Ct : $t).get(i)?.place])), p = (i) => {
+      let u = n.map((c) => [c, i(c)]).filter(([, c]) => c);
+      l.set({ [a]: Object.fromEntries(u.map(([c, h]) => [c, { place: h }])) });
     };
     return {
-      move: (i) => a === "lamps" ? r.set(_e(n, i, l)) : p((s) => ({ position: Ha(l.get(s), i) })),
-      turn: (i, s) => p((u) => c.get(u)?.direction ? { direction: i, ...s ? { aim: s } : {} } : null),
-      rotate: (i, s) => p((u) => {
-        let h = c.get(u);
+      move: (i) => a === "lamps" ? l.set(je(n, i, r)) : p((u) => ({ position: _a(r.get(u), i) })),
+      turn: (i, u) => p((c) => s.get(c)?.direction ? { direction: i, ...u ? { aim: u } : {} } : null),
+      rotate: (i, u) => p((c) => {
+        let h = s.get(c);
         if (h?.direction) {
-          let f = Zr(Na(h.direction, i, s)), T = h.aim && h.position ? Na(ai(h.aim, h.position), i, s) : null;
-          return { direction: f, ...T ? { aim: Ha(h.position, T) } : {} };
+          let v = ui(ja(h.direction, i, u)), E = h.aim && h.position ? ja(hi(h.aim, h.position), i, u) : null;
+          return { direction: v, ...E ? { aim: _a(h.position, E) } : {} };
         }
-        let d = Math.sin(s / 2), v = [i[0] * d, i[1] * d, i[2] * d, Math.cos(s / 2)];
-        return { rotation: ui(v, h?.rotation ?? [0, 0, 0, 1]) };
+        let d = Math.sin(u / 2), y = [i[0] * d, i[1] * d, i[2] * d, Math.cos(u / 2)];
+        return { rotation: ki(y, h?.rotation ?? [0, 0, 0, 1]) };
       }),
-      end: () => r.end(),
-      cancel: () => r.cancel()
+      end: () => l.end(),
+      cancel: () => l.cancel()
     };
   }
 };
-function hi() {
-  let e = ii(null);
-  return ri(() => Fa(e.current, mi).stop, []), gi("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Ci() {
+  let e = vi(null);
+  return fi(() => Ua(e.current, Si).stop, []), $i("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/inspector.tsx
-import { act as Ko, deselect as ws, Icon as Wn, penless as Gn, selection as xs, signal as Ms } from "./desk.js";
+import { act as Jo, deselect as As, Icon as Un, penless as _n, selection as Rs, signal as qs } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  add as xi,
-  deselect as Ja,
+  add as Ai,
+  deselect as so,
   digits as Se,
-  dot as Mi,
-  edit as Lt,
-  grids as Si,
-  Icon as eo,
-  length as $t,
+  dot as Ri,
+  edit as At,
+  grids as qi,
+  Icon as uo,
+  length as It,
   luxText as Ae,
-  maintenance as xn,
-  meters as Ci,
-  scale as $i,
-  selection as to,
-  up as Ya
+  maintenance as Ln,
+  meters as Fi,
+  scale as Ni,
+  selection as co,
+  up as ro
 } from "./desk.js";
 
 // src/later/figures.tsx
-import { maintenance as Ka, status as yn } from "./desk.js";
+import { maintenance as Za, status as Sn } from "./desk.js";
 
 // src/later/verdict.ts
-function Ga(e, t) {
-  let n = ({ value: o, error: r, least: l }) => {
-    let c = t ? 0 : r ?? 1 / 0;
-    return o - c >= l ? "met" : o + c < l ? "missed" : "open";
+function Ya(e, t) {
+  let n = ({ value: o, error: l, least: r }) => {
+    let s = t ? 0 : l ?? 1 / 0;
+    return o - s >= r ? "met" : o + s < r ? "missed" : "open";
   }, a = e.map(n);
   return a.includes("missed") ? "missed" : a.includes("open") ? "open" : "met";
 }
 
 // src/later/figures.tsx
-import { jsx as Xa } from "./desk.js";
-var Ba = () => yn.value?.stage === "moving" || yn.value?.stage === "loading", bi = () => Ba() || yn.value?.stage === "refining", Ua = { meter: 0.02, grid: 0.05 };
-function _a(e, t, n) {
-  return e == null || t == null || t > n * e || bi();
+import { jsx as oo } from "./desk.js";
+var Ja = () => Sn.value?.stage === "moving" || Sn.value?.stage === "loading", Li = () => Ja() || Sn.value?.stage === "refining", eo = { meter: 0.02, grid: 0.05 };
+function to(e, t, n) {
+  return e == null || t == null || t > n * e || Li();
 }
-var wt = ({ lux: e }) => _a(e?.[0], e?.[1], Ua.meter), xt = ({ mean: e, error: t }) => _a(e, t, Ua.grid), ja = (e, t) => Ba() ? "open" : Ga(e, t === !0);
-function Mt({ lux: e, target: t, done: n }) {
+var Lt = ({ lux: e }) => to(e?.[0], e?.[1], eo.meter), Pt = ({ mean: e, error: t }) => to(e, t, eo.grid), no = (e, t) => Ja() ? "open" : Ya(e, t === !0);
+function Vt({ lux: e, target: t, done: n }) {
   if (!e || !t) return null;
-  let a = Ka.value;
-  return ja([{ value: e[0] * a, error: e[1] == null ? null : e[1] * a, least: t }], n);
+  let a = Za.value;
+  return no([{ value: e[0] * a, error: e[1] == null ? null : e[1] * a, least: t }], n);
 }
-function St({ mean: e, error: t, uniformity: n, uniformity_error: a, target: o, done: r }) {
+function Tt({ mean: e, error: t, uniformity: n, uniformity_error: a, target: o, done: l }) {
   if (!o || e == null || n == null) return null;
-  let l = Ka.value;
-  return ja([
-    { value: e * l, error: t == null ? null : t * l, least: o.lux },
+  let r = Za.value;
+  return no([
+    { value: e * r, error: t == null ? null : t * r, least: o.lux },
     { value: n, error: a ?? null, least: o.uniformity }
-  ], r);
+  ], l);
 }
-var za = {
+var ao = {
   met: ["✓", "reaches its target"],
   missed: ["✗", "misses its target"],
   open: ["≈", "within its ± of the target: not decided yet"]
 };
-function kn({ of: e }) {
+function Cn({ of: e }) {
   if (!e) return null;
-  let [t, n] = za[e];
-  return Xa("b", { class: e, role: "img", "aria-label": n, title: n, children: t });
+  let [t, n] = ao[e];
+  return oo("b", { class: e, role: "img", "aria-label": n, title: n, children: t });
 }
-function wn({ of: e }) {
+function $n({ of: e }) {
   if (!e) return null;
-  let [t, n] = za[e];
-  return Xa("p", { class: e, children: `${t} ${n[0].toUpperCase()}${n.slice(1)}` });
+  let [t, n] = ao[e];
+  return oo("p", { class: e, children: `${t} ${n[0].toUpperCase()}${n.slice(1)}` });
 }
 
 // src/later/parts.tsx
-import { Field as Qa, Gesture as fi, Range as vi, stroke as yi, useRef as ki } from "./desk.js";
-import { jsx as ie, jsxs as Ct } from "./desk.js";
-function q({ title: e, note: t, children: n }) {
-  return Ct("section", { class: "part", "aria-label": e, children: [
-    Ct("h3", { children: [
+import { Field as lo, Gesture as Pi, Range as Vi, stroke as Ti, useRef as Ei } from "./desk.js";
+import { jsx as se, jsxs as Et } from "./desk.js";
+function A({ title: e, note: t, children: n }) {
+  return Et("section", { class: "part", "aria-label": e, children: [
+    Et("h3", { children: [
       e,
-      t && ie("small", { title: t, children: t })
+      t && se("small", { title: t, children: t })
     ] }),
     n
   ] });
@@ -719,59 +745,59 @@ function q({ title: e, note: t, children: n }) {
 function K(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
-function I(e) {
-  return Ct("label", { class: "line", children: [
-    ie("span", { children: e.label }),
-    ie(Qa, { ...e, label: e.name ?? e.label })
+function V(e) {
+  return Et("label", { class: "line", children: [
+    se("span", { children: e.label }),
+    se(lo, { ...e, label: e.name ?? e.label })
   ] });
 }
-function wi(e, t) {
+function Ii(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
-function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
-  let c = t ?? ["X", "Y", "Z"];
-  return Ct("div", { class: "line", role: "group", "aria-label": e, children: [
-    ie("span", { children: e }),
-    ie("span", { class: "triple", children: c.map((p, i) => ie(
-      Qa,
+function J({ label: e, names: t, quantity: n, value: a, set: o, step: l, disabled: r }) {
+  let s = t ?? ["X", "Y", "Z"];
+  return Et("div", { class: "line", role: "group", "aria-label": e, children: [
+    se("span", { children: e }),
+    se("span", { class: "triple", children: s.map((p, i) => se(
+      lo,
       {
         label: `${e} ${p}`,
         quantity: n,
         value: a[i],
-        text: wi(a[i], n),
-        step: r,
-        disabled: l,
-        set: (s) => o(i, s)
+        text: Ii(a[i], n),
+        step: l,
+        disabled: r,
+        set: (u) => o(i, u)
       },
       p
     )) })
   ] });
 }
-function Ee({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: c, style: p, disabled: i }) {
-  let s = ki(null), u = (d) => () => {
-    s.current?.[d](), s.current = null;
-  }, h = (d) => s.current ? s.current.set(o(d)) : yi(e + t, t, o(d));
-  return ie(
-    vi,
+function Ee({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r, class: s, style: p, disabled: i }) {
+  let u = Ei(null), c = (d) => () => {
+    u.current?.[d](), u.current = null;
+  }, h = (d) => u.current ? u.current.set(o(d)) : Ti(e + t, t, o(d));
+  return se(
+    Vi,
     {
       label: e,
       value: n,
       text: a,
-      notch: l,
-      class: c,
+      notch: r,
+      class: s,
       gradient: p,
       disabled: i,
-      begin: () => s.current = new fi(t),
+      begin: () => u.current = new Pi(t),
       on: h,
-      end: u("end"),
-      cancel: u("cancel"),
-      reset: r === void 0 ? void 0 : () => h(r)
+      end: c("end"),
+      cancel: c("cancel"),
+      reset: l === void 0 ? void 0 : () => h(l)
     }
   );
 }
 function Ie({ value: e, label: t, set: n }) {
-  return ie("span", { class: "field name-field", children: ie(
+  return se("span", { class: "field name-field", children: se(
     "input",
     {
       type: "text",
@@ -789,104 +815,104 @@ function Ie({ value: e, label: t, set: n }) {
     }
   ) });
 }
-var se = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
+var ue = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
-import { Fragment as Mn, jsx as S, jsxs as _ } from "./desk.js";
-var Li = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
-function no() {
-  let e = to.value?.ids[0], t = Ci.get(e);
+import { Fragment as Pn, jsx as S, jsxs as j } from "./desk.js";
+var Hi = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+function po() {
+  let e = co.value?.ids[0], t = Fi.get(e);
   if (!t) return S("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
-    let { lux: r, done: l, ...c } = { ...t, ...o };
-    Lt(`${t.name}: ${a}`, { meters: { [e]: c } });
+    let { lux: l, done: r, ...s } = { ...t, ...o };
+    At(`${t.name}: ${a}`, { meters: { [e]: s } });
   };
-  return _(Mn, { children: [
+  return j(Pn, { children: [
     S("header", { class: "panel-head", children: S(Ie, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    S("p", { class: `crumbs ${wt(t) ? "unsettled" : "known"}`, children: t.lux?.[1] != null ? `${Ae(t.lux[0] * xn.value)} ±${Ae(t.lux[1] * xn.value, !1)}` : "measuring" }),
-    S("div", { class: "scroll", children: _(q, { title: "Meter", children: [
-      _("label", { class: "line", children: [
+    S("p", { class: `crumbs ${Lt(t) ? "unsettled" : "known"}`, children: t.lux?.[1] != null ? `${Ae(t.lux[0] * Ln.value)} ±${Ae(t.lux[1] * Ln.value, !1)}` : "measuring" }),
+    S("div", { class: "scroll", children: j(A, { title: "Meter", children: [
+      j("label", { class: "line", children: [
         S("span", { children: "Measures" }),
-        S("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Li.map(([a, o]) => S("option", { value: a, children: o }, a)) })
+        S("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Hi.map(([a, o]) => S("option", { value: a, children: o }, a)) })
       ] }),
-      S(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: se(t.point, a, o) }) }),
-      S(I, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
-      S(wn, { of: Mt(t) }),
-      S(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: se(t.normal, a, o) }) }),
-      _("button", { class: "plain full", onClick: () => {
-        Ja(), Lt(`Remove ${t.name}`, { meters: { [e]: null } });
+      S(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: ue(t.point, a, o) }) }),
+      S(V, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
+      S($n, { of: Vt(t) }),
+      S(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: ue(t.normal, a, o) }) }),
+      j("button", { class: "plain full", onClick: () => {
+        so(), At(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        S(eo, { name: "bin" }),
+        S(uo, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
   ] });
 }
-var Za = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
-function ao() {
-  let e = to.value?.ids[0], t = Si.get(e);
+var io = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
+function mo() {
+  let e = co.value?.ids[0], t = qi.get(e);
   if (!t) return S("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = xn.value, a = (i, s) => {
-    let { name: u, corner: h, u: d, v, normal: f, columns: T, rows: F, border: ee, target: ve } = { ...t, ...s };
-    Lt(`${t.name}: ${i}`, { grids: { [e]: { name: u, corner: h, u: d, v, normal: f, columns: T, rows: F, border: ee, target: ve } } });
-  }, o = (i, s = t.border) => {
-    let [u, h] = ln([it($t(t.u), s), it($t(t.v), s)]);
-    a(i, { columns: u, rows: h, border: s });
-  }, r = Mi(t.corner, Ya.value) - st(), l = (i, s, u) => _(Mn, { children: [
+  let n = Ln.value, a = (i, u) => {
+    let { name: c, corner: h, u: d, v: y, normal: v, columns: E, rows: F, border: ee, target: ve } = { ...t, ...u };
+    At(`${t.name}: ${i}`, { grids: { [e]: { name: c, corner: h, u: d, v: y, normal: v, columns: E, rows: F, border: ee, target: ve } } });
+  }, o = (i, u = t.border) => {
+    let [c, h] = dn([ut(It(t.u), u), ut(It(t.v), u)]);
+    a(i, { columns: c, rows: h, border: u });
+  }, l = Ri(t.corner, ro.value) - ct(), r = (i, u, c) => j(Pn, { children: [
     S("dt", { children: i }),
-    S("dd", { children: s == null ? "…" : u(s) })
-  ] }), c = (i, s) => i == null ? "" : ` ±${s(i)}`, p = t.target ?? { lux: 500, uniformity: 0.6 };
-  return _(Mn, { children: [
+    S("dd", { children: u == null ? "…" : c(u) })
+  ] }), s = (i, u) => i == null ? "" : ` ±${u(i)}`, p = t.target ?? { lux: 500, uniformity: 0.6 };
+  return j(Pn, { children: [
     S("header", { class: "panel-head", children: S(Ie, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
-    _("p", { class: "crumbs", children: [
-      Se($t(t.u), 2),
+    j("p", { class: "crumbs", children: [
+      Se(It(t.u), 2),
       " × ",
-      Se($t(t.v), 2),
+      Se(It(t.v), 2),
       " m, ",
       Se(t.columns * t.rows),
       " points"
     ] }),
-    _("div", { class: "scroll", children: [
-      S(q, { title: "Figures", note: n === 1 ? "new" : `× ${Se(n, 2)}`, children: _("dl", { class: `figures ${xt(t) ? "unsettled" : ""}`, children: [
-        l("Ē", t.mean, (i) => Ae(i * n) + c(t.error, (s) => Ae(s * n, !1))),
-        l("E min", t.min, (i) => Ae(i * n)),
-        l("E max", t.max, (i) => Ae(i * n)),
-        l("U₀ = min / mean", t.uniformity, (i) => Se(i, 2) + c(t.uniformity_error, (s) => Se(s, 2))),
-        l("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Se(i, 2))
+    j("div", { class: "scroll", children: [
+      S(A, { title: "Figures", note: n === 1 ? "new" : `× ${Se(n, 2)}`, children: j("dl", { class: `figures ${Pt(t) ? "unsettled" : ""}`, children: [
+        r("Ē", t.mean, (i) => Ae(i * n) + s(t.error, (u) => Ae(u * n, !1))),
+        r("E min", t.min, (i) => Ae(i * n)),
+        r("E max", t.max, (i) => Ae(i * n)),
+        r("U₀ = min / mean", t.uniformity, (i) => Se(i, 2) + s(t.uniformity_error, (u) => Se(u, 2))),
+        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Se(i, 2))
       ] }) }),
-      _(q, { title: "Target", children: [
-        S(wn, { of: St(t) }),
-        _("label", { class: "line", children: [
+      j(A, { title: "Target", children: [
+        S($n, { of: Tt(t) }),
+        j("label", { class: "line", children: [
           S("span", { children: "Class" }),
-          _("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
-            let s = Za[Number(i.currentTarget.value)];
-            a("target", { target: s ? { lux: s[1], uniformity: s[2] } : null });
+          j("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
+            let u = io[Number(i.currentTarget.value)];
+            a("target", { target: u ? { lux: u[1], uniformity: u[2] } : null });
           }, children: [
             S("option", { value: "", children: t.target ? "choose…" : "none" }),
-            Za.map(([i, s, u], h) => _("option", { value: h, children: [
+            io.map(([i, u, c], h) => j("option", { value: h, children: [
               i,
               ": ",
-              s,
+              u,
               " lx, U₀ ",
-              u
+              c
             ] }, i)),
             S("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        S(I, { label: "Ē at least", quantity: "lux", step: 50, value: p.lux, set: (i) => a("target", { target: { ...p, lux: i(p.lux) } }) }),
-        S(I, { label: "U₀ at least", quantity: "share", step: 0.05, value: p.uniformity, set: (i) => a("target", { target: { ...p, uniformity: i(p.uniformity) } }) })
+        S(V, { label: "Ē at least", quantity: "lux", step: 50, value: p.lux, set: (i) => a("target", { target: { ...p, lux: i(p.lux) } }) }),
+        S(V, { label: "U₀ at least", quantity: "share", step: 0.05, value: p.uniformity, set: (i) => a("target", { target: { ...p, uniformity: i(p.uniformity) } }) })
       ] }),
-      _(q, { title: "Area", children: [
-        S(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, s) => a("move", { corner: se(t.corner, i, s) }) }),
-        S(I, { label: "Above the floor", quantity: "length", step: 0.01, value: r, set: (i) => a("height", { corner: xi(t.corner, $i(Ya.value, i(r) - r)) }) }),
-        S(I, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => o("border", Math.max(0, i(t.border ?? 0))) }),
-        S(I, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
-        S(I, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
+      j(A, { title: "Area", children: [
+        S(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: ue(t.corner, i, u) }) }),
+        S(V, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => a("height", { corner: Ai(t.corner, Ni(ro.value, i(l) - l)) }) }),
+        S(V, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => o("border", Math.max(0, i(t.border ?? 0))) }),
+        S(V, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
+        S(V, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
         S("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: () => o("standard spacing"), children: "Spacing of the standard" }),
-        _("button", { class: "plain full", onClick: () => {
-          Ja(), Lt(`Remove ${t.name}`, { grids: { [e]: null } });
+        j("button", { class: "plain full", onClick: () => {
+          so(), At(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          S(eo, { name: "bin" }),
+          S(uo, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -896,145 +922,146 @@ function ao() {
 
 // src/later/lamp.tsx
 import {
-  act as he,
-  chosenLamps as Wi,
-  dot as Pn,
-  edit as Tt,
-  format as go,
-  groups as Et,
-  handles as Pt,
+  act as ae,
+  chosenLamps as Zi,
+  dot as An,
+  edit as Ft,
+  format as So,
+  groups as Nt,
+  handles as Rt,
   Icon as qe,
-  lamps as In,
-  layers as Gi,
-  lumensOf as Ki,
-  normal as bo,
-  output as Bi,
-  percent as En,
-  positionOf as so,
-  selection as Vn,
-  signal as fo,
-  spot as Ui,
-  sub as uo,
-  titleOf as An,
-  tool as vo,
-  toLevel as co,
-  toTravel as _i,
-  typeLevel as Tn,
-  up as ji,
-  Fade as zi,
-  Field as Xi,
-  wantLevel as po,
-  compass as yo,
-  add as It,
+  lamps as Fn,
+  layers as Ji,
+  lumensOf as es,
+  normal as Co,
+  output as ts,
+  percent as qn,
+  positionOf as vo,
+  selection as $o,
+  signal as Lo,
+  spot as ns,
+  sub as yo,
+  titleOf as Nn,
+  tool as Po,
+  toLevel as ko,
+  toTravel as as,
+  typeLevel as Rn,
+  up as os,
+  Fade as ls,
+  Field as rs,
+  wantLevel as wo,
+  compass as Vo,
+  add as Ht,
   scale as Fe,
-  length as Qi,
-  Range as Yi,
-  strokeLevel as mo,
-  useRef as Zi
+  length as is,
+  Range as ss,
+  strokeLevel as xo,
+  typeGroupLevel as us,
+  useRef as cs
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as Ei,
-  digits as lo,
-  edit as Ii,
-  fromHex as Ai,
-  hex as Ri,
-  lamps as ro,
+  chosenLamps as Wi,
+  digits as go,
+  edit as Ki,
+  fromHex as Bi,
+  hex as Ui,
+  lamps as bo,
   mired as Ce,
-  titleOf as qi
+  titleOf as _i
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Pi, mired as Sn } from "./desk.js";
-function Vi(e, t) {
+import { css as Gi, mired as Vn } from "./desk.js";
+function Di(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
     -0.969266 * n + 1.8760108 + 0.041556 * a,
     0.0556434 * n - 0.2040259 + 1.0572252 * a
-  ].map((r) => Math.max(0, r));
+  ].map((l) => Math.max(0, l));
 }
-function Ti(e) {
+function Oi(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
-function oo(e, t, n = 9) {
-  return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = Sn(e) + (Sn(t) - Sn(e)) * r / (n - 1);
-    return Pi(Vi(...Ti(1e6 / l)));
+function ho(e, t, n = 9) {
+  return `linear-gradient(to right, ${Array.from({ length: n }, (o, l) => {
+    let r = Vn(e) + (Vn(t) - Vn(e)) * l / (n - 1);
+    return Gi(Di(...Oi(1e6 / r)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as $n, jsx as O, jsxs as me } from "./desk.js";
-var Qe = 1800, Ln = 1e4, Fi = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Hi = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Ni = oo(Qe, Ln), Cn = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(ro.get(n).color) }]))
-}), Oi = (e) => {
-  let t = 1e6 / (Ce(Qe) + (Ce(Ln) - Ce(Qe)) * e);
+import { Fragment as En, jsx as G, jsxs as he } from "./desk.js";
+var Ze = 1800, In = 1e4, ji = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], zi = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], Xi = ho(Ze, In), Tn = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(bo.get(n).color) }]))
+}), Qi = (e) => {
+  let t = 1e6 / (Ce(Ze) + (Ce(In) - Ce(Ze)) * e);
   return Math.round(t / 10) * 10;
-}, Di = (e) => (Ce(e) - Ce(Qe)) / (Ce(Ln) - Ce(Qe));
-function io() {
-  let e = Ei.value, t = e.map((l) => ro.get(l)?.color).filter((l) => l !== void 0);
+}, Yi = (e) => (Ce(e) - Ce(Ze)) / (Ce(In) - Ce(Ze));
+function fo() {
+  let e = Wi.value, t = e.map((r) => bo.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = K(t.map((l) => l.mode)), a = t[0], o = qi(e), r = (l, c) => Ii(`${o}: ${l}`, Cn(e, c));
-  return me($n, { children: [
-    me("div", { class: "line", children: [
-      O("span", { children: "Colour" }),
-      O("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Hi.map(([l, c]) => O("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${c}`, () => ({ mode: l })), children: c }, l)) })
+  let n = K(t.map((r) => r.mode)), a = t[0], o = _i(e), l = (r, s) => Ki(`${o}: ${r}`, Tn(e, s));
+  return he(En, { children: [
+    he("div", { class: "line", children: [
+      G("span", { children: "Colour" }),
+      G("div", { class: "segments", role: "group", "aria-label": "Colour by", children: zi.map(([r, s]) => G("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
     ] }),
-    n === "kelvin" && me($n, { children: [
-      me("div", { class: "line slide", children: [
-        O("span", { children: "White" }),
-        O(
+    n === "kelvin" && he(En, { children: [
+      he("div", { class: "line slide", children: [
+        G("span", { children: "White" }),
+        G(
           Ee,
           {
             label: "Colour temperature",
             name: `${o}: white`,
             class: "mired",
-            style: Ni,
-            value: Di(a.kelvin),
-            text: `${lo(a.kelvin)} kelvin`,
-            patch: (l) => Cn(e, () => ({ mode: "kelvin", kelvin: Oi(l) }))
+            style: Xi,
+            value: Yi(a.kelvin),
+            text: `${go(a.kelvin)} kelvin`,
+            patch: (r) => Tn(e, () => ({ mode: "kelvin", kelvin: Qi(r) }))
           }
         )
       ] }),
-      O(
-        I,
+      G(
+        V,
         {
           label: "",
           name: "Colour temperature, typed",
           quantity: "kelvin",
-          value: K(t.map((l) => l.kelvin)),
+          value: K(t.map((r) => r.kelvin)),
           step: 50,
-          set: (l) => r("white", (c) => ({ mode: "kelvin", kelvin: l(c.kelvin) }))
+          set: (r) => l("white", (s) => ({ mode: "kelvin", kelvin: r(s.kelvin) }))
         }
       ),
-      O("div", { class: "whites", role: "group", "aria-label": "Whites", children: Fi.map(([l, c]) => O("button", { title: c, "aria-label": `${l} kelvin, ${c}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
-      me("div", { class: "line slide", children: [
-        O("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
-        O(
+      G("div", { class: "whites", role: "group", "aria-label": "Whites", children: ji.map(([r, s]) => G("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
+      he("div", { class: "line slide", children: [
+        G("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
+        G(
           Ee,
           {
             label: "Tint, magenta to green",
             name: `${o}: tint`,
             class: "tints",
             value: (a.tint + 20) / 40,
-            text: `${lo(a.tint, 1)} thousandths`,
+            text: `${go(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => Cn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (r) => Tn(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      O(I, { label: "", name: "Tint, typed", quantity: "number", value: K(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (c) => ({ tint: Math.max(-50, Math.min(50, l(c.tint))) })) })
+      G(V, { label: "", name: "Tint, typed", quantity: "number", value: K(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
     ] }),
-    n === "rgb" && me($n, { children: [
-      me("label", { class: "line", children: [
-        O("span", { children: "Colour" }),
-        O("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ri(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: Ai(l.currentTarget.value) })) })
+    n === "rgb" && he(En, { children: [
+      he("label", { class: "line", children: [
+        G("span", { children: "Colour" }),
+        G("input", { type: "color", class: "pick", "aria-label": "Colour", value: Ui(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: Bi(r.currentTarget.value) })) })
       ] }),
-      O(
+      G(
         J,
         {
           label: "Linear",
@@ -1042,360 +1069,363 @@ function io() {
           quantity: "number",
           step: 0.01,
           value: a.rgb,
-          set: (l, c) => r("colour", (p) => ({ rgb: p.rgb.map((i, s) => s === l ? Math.max(0, c(i)) : i) }))
+          set: (r, s) => l("colour", (p) => ({ rgb: p.rgb.map((i, u) => u === r ? Math.max(0, s(i)) : i) }))
         }
       )
     ] }),
-    n === "xy" && me("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
-      O("span", { children: "x, y" }),
-      O("span", { class: "triple", children: [0, 1].map((l) => O(
-        I,
+    n === "xy" && he("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
+      G("span", { children: "x, y" }),
+      G("span", { class: "triple", children: [0, 1].map((r) => G(
+        V,
         {
-          label: "xy"[l],
+          label: "xy"[r],
           quantity: "number",
           step: 1e-3,
-          value: K(t.map((c) => c.xy[l])),
-          set: (c) => r("chromaticity", (p) => ({ xy: p.xy.map((i, s) => s === l ? Math.max(0.01, Math.min(0.9, c(i))) : i) }))
+          value: K(t.map((s) => s.xy[r])),
+          set: (s) => l("chromaticity", (p) => ({ xy: p.xy.map((i, u) => u === r ? Math.max(0.01, Math.min(0.9, s(i))) : i) }))
         },
-        l
+        r
       )) })
     ] }),
-    n === null && O("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
+    n === null && G("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
   ] });
 }
 
 // src/later/lamp.tsx
-import { Fragment as Rn, jsx as y, jsxs as D } from "./desk.js";
-var Re = fo(1), Vt = fo([1, 0, 0]), Ji = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], At = 180 / Math.PI;
-function ho(e, t) {
-  let { right: n, ahead: a } = yo(t), o = -Pn(e, t);
-  return [Math.atan2(Pn(e, n), Pn(e, a)) * At, Math.asin(Math.max(-1, Math.min(1, o))) * At];
+import { Fragment as Hn, jsx as f, jsxs as D } from "./desk.js";
+var Re = Lo(1), qt = Lo([1, 0, 0]), ps = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Gt = 180 / Math.PI;
+function Mo(e, t) {
+  let { right: n, ahead: a } = Vo(t), o = -An(e, t);
+  return [Math.atan2(An(e, n), An(e, a)) * Gt, Math.asin(Math.max(-1, Math.min(1, o))) * Gt];
 }
-function es(e, t, n) {
-  let { right: a, ahead: o } = yo(n), [r, l] = [e / At, t / At], c = It(Fe(a, Math.sin(r)), Fe(o, Math.cos(r)));
-  return bo(It(Fe(c, Math.cos(l)), Fe(n, -Math.sin(l))));
+function ds(e, t, n) {
+  let { right: a, ahead: o } = Vo(n), [l, r] = [e / Gt, t / Gt], s = Ht(Fe(a, Math.sin(l)), Fe(o, Math.cos(l)));
+  return Co(Ht(Fe(s, Math.cos(r)), Fe(n, -Math.sin(r))));
 }
-function ts({ ids: e, all: t }) {
-  let n = t.some((a) => a.place?.direction);
+function ms({ ids: e, all: t }) {
+  let n = t.some((o) => o.place?.direction), a = $o.value?.kind === "group";
   return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    D("button", { "aria-pressed": vo.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
-      y(qe, { name: "aim" }),
+    D("button", { "aria-pressed": Po.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => ae("aim"), children: [
+      f(qe, { name: "aim" }),
       "Aim"
     ] }),
-    y("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => he("solo"), children: y(qe, { name: "solo" }) }),
-    y("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => he("from-lamp"), children: y(qe, { name: "eye" }) }),
-    y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => he("frame"), children: y(qe, { name: "frame" }) }),
-    y("span", { class: "gap" }),
-    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => he("park"), children: "Park" }),
-    y("button", { class: "icon", "aria-label": `Remove ${An(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: y(qe, { name: "bin" }) })
+    f("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => ae("solo"), children: f(qe, { name: "solo" }) }),
+    f("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => ae("from-lamp"), children: f(qe, { name: "eye" }) }),
+    f("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => ae("frame"), children: f(qe, { name: "frame" }) }),
+    f("span", { class: "gap" }),
+    yt() === null && f("button", { title: "Group (Ctrl+G): one master for all of them", onClick: () => ae("group"), children: "Group" }),
+    kt() === null && f("button", { title: a ? "Dissolve the group (Ctrl+Shift+G): its lamps stay" : "Take out of the group (Ctrl+Shift+G)", onClick: () => ae("ungroup"), children: a ? "Dissolve" : "Take out" }),
+    f("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((o) => o.parked), onClick: () => ae("park"), children: "Park" }),
+    f("button", { class: "icon", "aria-label": `Remove ${Nn(e)}`, title: "Remove (Del)", onClick: () => ae("remove"), children: f(qe, { name: "bin" }) })
   ] });
 }
-function ns({ ids: e, all: t }) {
-  let n = K(t.map((l) => l.level)), a = Ki(e), o = t.every((l) => l.free), r = e[e.length - 1];
-  return D(q, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
+function hs({ ids: e, all: t }) {
+  let n = K(t.map((r) => r.level)), a = es(e), o = t.every((r) => r.free), l = e[e.length - 1];
+  return D(A, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
     D("div", { class: "line slide", children: [
-      y("span", { children: "Level" }),
-      y(as, { id: r })
+      f("span", { children: "Level" }),
+      f(gs, { id: l })
     ] }),
     D("label", { class: "line", children: [
-      y("span", {}),
-      y(
-        Xi,
+      f("span", {}),
+      f(
+        rs,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
-          flux: K(t.map((l) => l.flux)) ?? void 0,
+          flux: K(t.map((r) => r.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => Tn(e, l),
-          open: po.value,
-          opened: () => po.value = "",
+          set: (r) => Rn(e, r),
+          open: wo.value,
+          opened: () => wo.value = "",
           id: "level"
         }
       )
     ] }),
-    y(
-      I,
+    f(
+      V,
       {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => Tn(e, (c, p) => l(c * p) / p)
+        set: (r) => Rn(e, (s, p) => r(s * p) / p)
       }
     ),
     D("div", { class: "line", children: [
-      y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: Ji.map(([l, c]) => y("button", { "aria-label": `${c} stop`, onClick: () => Tn(e, (p) => Math.min(1e3, p * 2 ** l)), children: c }, c)) })
+      f("span", { children: "Stops" }),
+      f("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: ps.map(([r, s]) => f("button", { "aria-label": `${s} stop`, onClick: () => Rn(e, (p) => Math.min(1e3, p * 2 ** r)), children: s }, s)) })
     ] }),
     D("p", { class: "sum", children: [
-      go(a, "flux"),
+      So(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && (Et.get(t[0].group)?.level ?? 1) !== 1 && ` (${En(t[0].level)} % × ${En(Et.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && (Nt.get(t[0].group)?.level ?? 1) !== 1 && ` (${qn(t[0].level)} % × ${qn(Nt.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    y(io, {})
+    f(fo, {})
   ] });
 }
-function as({ id: e }) {
-  let t = Zi(null), n = In.get(e);
+function gs({ id: e }) {
+  let t = cs(null), n = Fn.get(e);
   if (!n) return null;
-  let a = { kind: "lamp", id: e }, o = (r) => () => {
-    t.current?.[r](), t.current = null;
+  let a = { kind: "lamp", id: e }, o = (l) => () => {
+    t.current?.[l](), t.current = null;
   };
-  return y(
-    Yi,
+  return f(
+    ss,
     {
       label: "Level",
-      value: _i(n.level),
-      text: `${En(n.level)} %, ${go(n.flux * Bi(n), "flux")}`,
-      begin: () => t.current = new zi(a),
-      on: (r) => t.current ? t.current.to(co(r)) : mo(a, co(r)),
+      value: as(n.level),
+      text: `${qn(n.level)} %, ${So(n.flux * ts(n), "flux")}`,
+      begin: () => t.current = new ls(a),
+      on: (l) => t.current ? t.current.to(ko(l)) : xo(a, ko(l)),
       end: o("end"),
       cancel: o("cancel"),
-      reset: () => mo(a, 1)
+      reset: () => xo(a, 1)
     }
   );
 }
-function Ye(e, t, n) {
+function Je(e, t, n) {
   let a = {};
   for (let o of e) {
-    let r = In.get(o), l = n(r.place ?? {}, r);
-    l && (a[o] = { place: l });
+    let l = Fn.get(o), r = n(l.place ?? {}, l);
+    r && (a[o] = { place: r });
   }
-  Object.keys(a).length && Tt(`${An(e)}: ${t}`, { lamps: a });
+  Object.keys(a).length && Ft(`${Nn(e)}: ${t}`, { lamps: a });
 }
-function os({ ids: e, all: t }) {
-  let n = (o) => K(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
-  return !a("outer") && !a("radius") ? null : D(q, { title: "Beam", note: "re-trace", children: [
-    a("outer") && D(Rn, { children: [
-      y(I, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Ye(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      y(I, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Ye(e, "beam", (r) => {
-        if (r.outer == null) return null;
-        let l = Math.max(0.2, Math.min(179, o(r.outer)));
-        return { outer: l, inner: Math.min(r.inner ?? l, l) };
+function bs({ ids: e, all: t }) {
+  let n = (o) => K(t.map((l) => l.place?.[o] ?? null)), a = (o) => t.some((l) => l.place?.[o] != null);
+  return !a("outer") && !a("radius") ? null : D(A, { title: "Beam", note: "re-trace", children: [
+    a("outer") && D(Hn, { children: [
+      f(V, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => Je(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
+      f(V, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => Je(e, "beam", (l) => {
+        if (l.outer == null) return null;
+        let r = Math.max(0.2, Math.min(179, o(l.outer)));
+        return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    a("radius") && y(I, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Ye(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    a("radius") && f(V, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => Je(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
   ] });
 }
-function ls({ ids: e, all: t }) {
-  let n = t.filter((u) => so(u) !== null);
+function fs({ ids: e, all: t }) {
+  let n = t.filter((c) => vo(c) !== null);
   if (!n.length) return null;
-  let a = n.map((u) => so(u)), o = (u, h) => K(h.map((d) => Math.round(d[u] * 1e4) / 1e4)), r = t.filter((u) => u.place?.direction), l = ji.value, c = r.map((u) => ho(u.place?.direction, l).map((h) => Math.round(h * 10) / 10)), p = t.map((u) => u.place?.aim).filter((u) => !!u), i = (u, h) => {
-    let d = je(e), v = {};
-    for (let [f, T] of d) {
+  let a = n.map((c) => vo(c)), o = (c, h) => K(h.map((d) => Math.round(d[c] * 1e4) / 1e4)), l = t.filter((c) => c.place?.direction), r = os.value, s = l.map((c) => Mo(c.place?.direction, r).map((h) => Math.round(h * 10) / 10)), p = t.map((c) => c.place?.aim).filter((c) => !!c), i = (c, h) => {
+    let d = ze(e), y = {};
+    for (let [v, E] of d) {
       let F = [0, 0, 0];
-      F[u] = h(T[u]) - T[u], Object.assign(v, _e([f], F, d).lamps);
+      F[c] = h(E[c]) - E[c], Object.assign(y, je([v], F, d).lamps);
     }
-    Tt(`Move ${An(e)}`, { lamps: v });
-  }, s = (u, h) => Ye(e, u ? "tilt" : "pan", (d) => {
+    Ft(`Move ${Nn(e)}`, { lamps: y });
+  }, u = (c, h) => Je(e, c ? "tilt" : "pan", (d) => {
     if (!d.direction) return null;
-    let v = ho(d.direction, l);
-    v[u] = h(v[u]);
-    let f = es(v[0], Math.max(-90, Math.min(90, v[1])), l), T = d.aim && d.position ? Qi(uo(d.aim, d.position)) : 0;
-    return { direction: f, ...T && d.position ? { aim: It(d.position, Fe(f, T)) } : {} };
+    let y = Mo(d.direction, r);
+    y[c] = h(y[c]);
+    let v = ds(y[0], Math.max(-90, Math.min(90, y[1])), r), E = d.aim && d.position ? is(yo(d.aim, d.position)) : 0;
+    return { direction: v, ...E && d.position ? { aim: Ht(d.position, Fe(v, E)) } : {} };
   });
-  return D(q, { title: "Place", note: "re-trace", children: [
-    y(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((u) => o(u, a)), set: i }),
-    r.length > 0 && D(Rn, { children: [
-      y(I, { label: "Pan", quantity: "angle", step: 1, value: K(c.map((u) => u[0])), set: (u) => s(0, u) }),
-      y(I, { label: "Tilt", quantity: "angle", step: 1, value: K(c.map((u) => u[1])), set: (u) => s(1, u) }),
-      y(
+  return D(A, { title: "Place", note: "re-trace", children: [
+    f(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => o(c, a)), set: i }),
+    l.length > 0 && D(Hn, { children: [
+      f(V, { label: "Pan", quantity: "angle", step: 1, value: K(s.map((c) => c[0])), set: (c) => u(0, c) }),
+      f(V, { label: "Tilt", quantity: "angle", step: 1, value: K(s.map((c) => c[1])), set: (c) => u(1, c) }),
+      f(
         J,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
-          value: p.length ? [0, 1, 2].map((u) => o(u, p)) : [NaN, NaN, NaN],
-          set: (u, h) => Ye(e, "aim", (d) => {
+          value: p.length ? [0, 1, 2].map((c) => o(c, p)) : [NaN, NaN, NaN],
+          set: (c, h) => Je(e, "aim", (d) => {
             if (!d.direction || !d.position) return null;
-            let v = se(d.aim ?? It(d.position, Fe(d.direction, 2)), u, h);
-            return { aim: v, direction: bo(uo(v, d.position)) };
+            let y = ue(d.aim ?? Ht(d.position, Fe(d.direction, 2)), c, h);
+            return { aim: y, direction: Co(yo(y, d.position)) };
           })
         }
       )
     ] }),
     D("div", { class: "line", children: [
-      y("span", { children: "Handles" }),
+      f("span", { children: "Handles" }),
       D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        y("button", { "aria-pressed": Pt.value === "move", onClick: () => Pt.value = "move", children: "Move" }),
-        y("button", { "aria-pressed": Pt.value === "turn", onClick: () => Pt.value = "turn", children: "Turn" })
+        f("button", { "aria-pressed": Rt.value === "move", onClick: () => Rt.value = "move", children: "Move" }),
+        f("button", { "aria-pressed": Rt.value === "turn", onClick: () => Rt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    y("button", { class: "plain full", "aria-pressed": vo.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
-    r.length > 0 && Ui.value && y("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
+    f("button", { class: "plain full", "aria-pressed": Po.value === "place", onClick: () => ae("place"), children: "Put on a surface by pointing" }),
+    l.length > 0 && ns.value && f("button", { class: "plain full", onClick: () => ae("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function rs({ ids: e, all: t }) {
-  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(q, { title: "Copies along a line", children: [
-    y(I, { label: "How many", quantity: "number", step: 1, value: Re.value, set: (n) => Re.value = Math.max(1, Math.min(100, Math.round(n(Re.value)))) }),
-    y(J, { label: "Step", quantity: "length", step: 0.05, value: Vt.value, set: (n, a) => Vt.value = se(Vt.value, n, a) }),
-    D("button", { class: "plain full", onClick: () => ht(e, Re.value, Vt.value), children: [
-      y(qe, { name: "copy" }),
+function vs({ ids: e, all: t }) {
+  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(A, { title: "Copies along a line", children: [
+    f(V, { label: "How many", quantity: "number", step: 1, value: Re.value, set: (n) => Re.value = Math.max(1, Math.min(100, Math.round(n(Re.value)))) }),
+    f(J, { label: "Step", quantity: "length", step: 0.05, value: qt.value, set: (n, a) => qt.value = ue(qt.value, n, a) }),
+    D("button", { class: "plain full", onClick: () => bt(e, Re.value, qt.value), children: [
+      f(qe, { name: "copy" }),
       Re.value === 1 ? "One copy" : `${Re.value} copies`
     ] })
   ] });
 }
-function ko() {
-  let e = Wi.value, t = e.map((l) => In.get(l)).filter((l) => !!l);
-  if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && Et.get(n.group), o = Vn.value?.kind === "group" ? Et.get(Vn.value.ids[0]) : void 0, r = n?.layer != null ? Gi.value[n.layer] : void 0;
-  return D(Rn, { children: [
-    y("header", { class: "panel-head", children: n ? y(Ie, { label: "Name of the lamp", value: n.name, set: (l) => Tt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? y(Ie, { label: "Name of the group", value: o.name, set: (l) => Tt(`Rename ${o.name}`, { groups: { [Vn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
+function To() {
+  let e = Zi.value, t = e.map((s) => Fn.get(s)).filter((s) => !!s);
+  if (!t.length) return f("p", { class: "quiet empty", children: "This lamp is gone." });
+  let n = t.length === 1 ? t[0] : null, a = n && Nt.get(n.group), o = $o.value, l = o?.kind === "group" && o.ids.length === 1 ? Nt.get(o.ids[0]) : void 0, r = n?.layer != null ? Ji.value[n.layer] : void 0;
+  return D(Hn, { children: [
+    f("header", { class: "panel-head", children: l && o ? f(Ie, { label: "Name of the group", value: l.name, set: (s) => Ft(`Rename ${l.name}`, { groups: { [o.ids[0]]: { name: s } } }) }) : n ? f(Ie, { label: "Name of the lamp", value: n.name, set: (s) => Ft(`Rename ${n.name}`, { lamps: { [e[0]]: { name: s } } }) }) : D("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
+    f("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((s) => s.on).length} of ${t.length} on` }),
     D("div", { class: "scroll", children: [
-      y(ts, { ids: e, all: t }),
-      y(ns, { ids: e, all: t }),
-      y(q, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      y(os, { ids: e, all: t }),
-      y(ls, { ids: e, all: t }),
-      y(rs, { ids: e, all: t }),
-      y("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+      f(ms, { ids: e, all: t }),
+      l && o && f(A, { title: "Group", note: "re-mix", children: f(V, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => us(o.ids[0], s) }) }),
+      f(hs, { ids: e, all: t }),
+      f(A, { title: "Photometry", children: f("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      f(bs, { ids: e, all: t }),
+      f(fs, { ids: e, all: t }),
+      f(vs, { ids: e, all: t }),
+      f("p", { class: "cost", children: t.every((s) => s.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
 
 // src/later/scene.tsx
 import {
-  act as qn,
-  candles as Rt,
-  command as is,
-  digits as Ft,
-  edit as wo,
-  Field as xo,
-  filterOf as $o,
-  go as ss,
-  history as us,
-  hovered as Mo,
-  Icon as Ht,
-  layers as cs,
-  lookOnly as So,
-  maintenance as He,
-  materials as ps,
-  percent as ds,
-  scene as ms,
-  select as Lo,
-  signal as hs,
-  singleKeys as Co,
-  sub as gs,
-  things as bs,
-  travel as qt,
-  Virtual as Po,
-  workPlane as Fn
+  act as Gn,
+  candles as Dt,
+  command as ys,
+  digits as Wt,
+  edit as Eo,
+  Field as Io,
+  filterOf as Fo,
+  go as ks,
+  history as ws,
+  hovered as Ao,
+  Icon as Kt,
+  layers as xs,
+  lookOnly as Ro,
+  maintenance as Ne,
+  materials as Ms,
+  percent as Ss,
+  scene as Cs,
+  select as No,
+  signal as $s,
+  singleKeys as qo,
+  sub as Ls,
+  things as Ps,
+  travel as Ot,
+  Virtual as Ho,
+  workPlane as Dn
 } from "./desk.js";
-import { Fragment as fs, jsx as x, jsxs as V } from "./desk.js";
-function Vo() {
-  let e = ms.value;
+import { Fragment as Vs, jsx as x, jsxs as T } from "./desk.js";
+function Go() {
+  let e = Cs.value;
   if (!e) return null;
-  let t = gs(e.bounds[1], e.bounds[0]);
-  return V(fs, { children: [
-    V(q, { title: "Room", children: [
-      V("p", { children: [
-        t.map((n) => Ft(n, 2)).join(" × "),
+  let t = Ls(e.bounds[1], e.bounds[0]);
+  return T(Vs, { children: [
+    T(A, { title: "Room", children: [
+      T("p", { children: [
+        t.map((n) => Wt(n, 2)).join(" × "),
         " m",
-        e.triangles ? `, ${Ft(e.triangles)} triangles` : ""
+        e.triangles ? `, ${Wt(e.triangles)} triangles` : ""
       ] }),
       x("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && x("ul", { class: "buttons", children: e.cameras.map((n, a) => x("li", { children: x("button", { onClick: () => ss(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
-      e.warnings.length > 0 && V("details", { children: [
-        V("summary", { children: [
+      e.cameras.length > 0 && x("ul", { class: "buttons", children: e.cameras.map((n, a) => x("li", { children: x("button", { onClick: () => ks(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.warnings.length > 0 && T("details", { children: [
+        T("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
           " on the file"
         ] }),
         x("ul", { class: "remarks", children: e.warnings.map((n) => x("li", { children: n }, n)) })
       ] })
     ] }),
-    V(q, { title: "Figures", children: [
-      V("label", { class: "line", children: [
+    T(A, { title: "Figures", children: [
+      T("label", { class: "line", children: [
         x("span", { children: "Maintenance" }),
-        x(xo, { label: "Maintenance factor", quantity: "share", value: He.value, step: 0.05, set: (n) => He.value = Math.max(0.1, Math.min(1, n(He.value))) })
+        x(Io, { label: "Maintenance factor", quantity: "share", value: Ne.value, step: 0.05, set: (n) => Ne.value = Math.max(0.1, Math.min(1, n(Ne.value))) })
       ] }),
-      V("p", { class: "quiet", children: [
-        He.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
-        He.value === 1 && x("button", { class: "plain", onClick: () => He.value = 0.8, children: "0.80" })
+      T("p", { class: "quiet", children: [
+        Ne.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
+        Ne.value === 1 && x("button", { class: "plain", onClick: () => Ne.value = 0.8, children: "0.80" })
       ] }),
-      V("label", { class: "line", children: [
+      T("label", { class: "line", children: [
         x("span", { children: "Work plane" }),
-        x(xo, { label: "Work plane above the floor", quantity: "length", value: Fn.value, step: 0.05, set: (n) => Fn.value = Math.max(0, Math.min(3, n(Fn.value))) })
+        x(Io, { label: "Work plane above the floor", quantity: "length", value: Dn.value, step: 0.05, set: (n) => Dn.value = Math.max(0, Math.min(3, n(Dn.value))) })
       ] }),
-      V("div", { class: "line", children: [
+      T("div", { class: "line", children: [
         x("span", { children: "Unit" }),
-        V("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
-          x("button", { "aria-pressed": Rt.value === "lx", onClick: () => Rt.value = "lx", children: "lx, cd/m²" }),
-          x("button", { "aria-pressed": Rt.value === "fc", onClick: () => Rt.value = "fc", children: "fc, fL" })
+        T("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
+          x("button", { "aria-pressed": Dt.value === "lx", onClick: () => Dt.value = "lx", children: "lx, cd/m²" }),
+          x("button", { "aria-pressed": Dt.value === "fc", onClick: () => Dt.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    x(q, { title: "Layers of light", children: x("ul", { class: "layers", children: cs.value.map((n, a) => V("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    x(A, { title: "Layers of light", children: x("ul", { class: "layers", children: xs.value.map((n, a) => T("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       x("i", { class: "dot", "aria-hidden": "true" }),
       x("span", { children: n.name || `layer ${a + 1}` }),
-      x("small", { children: n.held ? "held" : ds(n.of ? n.batches / n.of : 0) + " %" })
+      x("small", { children: n.held ? "held" : Ss(n.of ? n.batches / n.of : 0) + " %" })
     ] }, a)) }) }),
-    V(q, { title: "Hands", children: [
-      V("div", { class: "line", children: [
+    T(A, { title: "Hands", children: [
+      T("div", { class: "line", children: [
         x("span", { children: "Faders" }),
-        V("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
-          x("button", { "aria-pressed": qt.value === "square", onClick: () => qt.value = "square", children: "Square law" }),
-          x("button", { "aria-pressed": qt.value === "linear", onClick: () => qt.value = "linear", children: "Even" })
+        T("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
+          x("button", { "aria-pressed": Ot.value === "square", onClick: () => Ot.value = "square", children: "Square law" }),
+          x("button", { "aria-pressed": Ot.value === "linear", onClick: () => Ot.value = "linear", children: "Even" })
         ] })
       ] }),
-      V("label", { class: "check", children: [
-        x("input", { type: "checkbox", checked: Co.value, onChange: (n) => Co.value = n.currentTarget.checked }),
+      T("label", { class: "check", children: [
+        x("input", { type: "checkbox", checked: qo.value, onChange: (n) => qo.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
-      V("label", { class: "check", children: [
-        x("input", { type: "checkbox", checked: So.value, onChange: (n) => So.value = n.currentTarget.checked }),
+      T("label", { class: "check", children: [
+        x("input", { type: "checkbox", checked: Ro.value, onChange: (n) => Ro.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var Nt = hs("");
-function To({ label: e }) {
-  return x("span", { class: "field filter", children: x("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Nt.value, onInput: (t) => Nt.value = t.currentTarget.value }) });
+var Bt = $s("");
+function Do({ label: e }) {
+  return x("span", { class: "field filter", children: x("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Bt.value, onInput: (t) => Bt.value = t.currentTarget.value }) });
 }
-function Eo() {
-  let e = $o(bs, Nt.value);
-  return V("div", { class: "listing", children: [
-    x(To, { label: "Filter things" }),
+function Oo() {
+  let e = Fo(Ps, Bt.value);
+  return T("div", { class: "listing", children: [
+    x(Do, { label: "Filter things" }),
     x(
-      Po,
+      Ho,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return V("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Mo.value = { kind: "thing", id: n }, onPointerLeave: () => Mo.value = null, children: [
-            x("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => wo(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: x(Ht, { name: a.hidden ? "eye-off" : "eye" }) }),
-            x("button", { class: "row-name", onClick: () => Lo("thing", n), children: x("span", { children: a.name }) }),
-            x("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => wo(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: x(Ht, { name: a.locked ? "lock" : "unlock" }) })
+          return T("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Ao.value = { kind: "thing", id: n }, onPointerLeave: () => Ao.value = null, children: [
+            x("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Eo(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: x(Kt, { name: a.hidden ? "eye-off" : "eye" }) }),
+            x("button", { class: "row-name", onClick: () => No("thing", n), children: x("span", { children: a.name }) }),
+            x("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Eo(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: x(Kt, { name: a.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function Io() {
-  let e = $o(ps, Nt.value);
-  return V("div", { class: "listing", children: [
-    x(To, { label: "Filter materials" }),
+function Wo() {
+  let e = Fo(Ms, Bt.value);
+  return T("div", { class: "listing", children: [
+    x(Do, { label: "Filter materials" }),
     x(
-      Po,
+      Ho,
       {
         label: "Materials",
         count: e.length,
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return V("div", { class: "sheet-row material", role: "listitem", children: [
-            x("button", { class: "row-name", onClick: () => Lo("material", n), children: x("span", { children: a.name }) }),
-            V("small", { children: [
+          return T("div", { class: "sheet-row material", role: "listitem", children: [
+            x("button", { class: "row-name", onClick: () => No("material", n), children: x("span", { children: a.name }) }),
+            T("small", { children: [
               a.kind,
-              a.reflectance != null ? ` · ρ ${Ft(a.reflectance, 2)}` : ""
+              a.reflectance != null ? ` · ρ ${Wt(a.reflectance, 2)}` : ""
             ] })
           ] }, n);
         }
@@ -1403,70 +1433,70 @@ function Io() {
     )
   ] });
 }
-function Ao() {
-  let e = us.value;
-  return V(q, { title: "History", children: [
-    V("p", { children: [
-      e.steps === 1 ? "One step" : `${Ft(e.steps)} steps`,
+function Ko() {
+  let e = ws.value;
+  return T(A, { title: "History", children: [
+    T("p", { children: [
+      e.steps === 1 ? "One step" : `${Wt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    V("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => qn("undo"), children: [
-      x(Ht, { name: "undo" }),
+    T("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Gn("undo"), children: [
+      x(Kt, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    V("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => qn("redo"), children: [
-      x(Ht, { name: "redo" }),
+    T("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Gn("redo"), children: [
+      x(Kt, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    x("button", { class: "plain full", onClick: () => qn("save"), children: "Save a version with a name…" }),
-    x("button", { class: "plain full", onClick: () => is({ do: "save" }), children: "Save now" })
+    x("button", { class: "plain full", onClick: () => Gn("save"), children: "Save a version with a name…" }),
+    x("button", { class: "plain full", onClick: () => ys({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as Hn,
-  edit as Ho,
-  fromHex as vs,
-  hex as ys,
-  Icon as Ro,
-  materials as No,
-  middle as qo,
-  select as Oo,
-  selection as Do,
-  things as Nn
+  digits as On,
+  edit as jo,
+  fromHex as Ts,
+  hex as Es,
+  Icon as Bo,
+  materials as zo,
+  middle as Uo,
+  select as Xo,
+  selection as Qo,
+  things as Wn
 } from "./desk.js";
-import { Fragment as Dn, jsx as L, jsxs as z } from "./desk.js";
-var On = 180 / Math.PI;
-function Fo(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * On : 0;
+import { Fragment as Bn, jsx as L, jsxs as X } from "./desk.js";
+var Kn = 180 / Math.PI;
+function _o(e, t) {
+  return e ? 2 * Math.atan2(e[t], e[3]) * Kn : 0;
 }
-function ks(e, t) {
-  let n = [0, 0, 0, Math.cos(t / On / 2)];
-  return n[e] = Math.sin(t / On / 2), n;
+function Is(e, t) {
+  let n = [0, 0, 0, Math.cos(t / Kn / 2)];
+  return n[e] = Math.sin(t / Kn / 2), n;
 }
-function Wo() {
-  let e = (Do.value?.ids ?? []).filter((p) => Nn.get(p)), t = e.map((p) => Nn.get(p));
+function Yo() {
+  let e = (Qo.value?.ids ?? []).filter((p) => Wn.get(p)), t = e.map((p) => Wn.get(p));
   if (!t.length) return L("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((p) => p.locked), r = (p, i) => Ho(`${a}: ${p}`, { things: Object.fromEntries(e.map((s, u) => [s, i(t[u])])) }), l = t.map((p) => p.place?.position ?? (p.box ? qo(p.box) : [0, 0, 0])), c = n.box ? [0, 1, 2].map((p) => n.box[1][p] - n.box[0][p]) : null;
-  return z(Dn, { children: [
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((p) => p.locked), l = (p, i) => jo(`${a}: ${p}`, { things: Object.fromEntries(e.map((u, c) => [u, i(t[c])])) }), r = t.map((p) => p.place?.position ?? (p.box ? Uo(p.box) : [0, 0, 0])), s = n.box ? [0, 1, 2].map((p) => n.box[1][p] - n.box[0][p]) : null;
+  return X(Bn, { children: [
     L("header", { class: "panel-head", children: L("h2", { children: a }) }),
-    c && z("p", { class: "crumbs", children: [
-      c.map((p) => Hn(p, 2)).join(" × "),
+    s && X("p", { class: "crumbs", children: [
+      s.map((p) => On(p, 2)).join(" × "),
       " m"
     ] }),
-    z("div", { class: "scroll", children: [
-      z("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        z("button", { "aria-pressed": t.every((p) => p.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          L(Ro, { name: n.hidden ? "eye-off" : "eye" }),
+    X("div", { class: "scroll", children: [
+      X("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
+        X("button", { "aria-pressed": t.every((p) => p.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+          L(Bo, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        z("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
-          L(Ro, { name: o ? "lock" : "unlock" }),
+        X("button", { "aria-pressed": o, onClick: () => l(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
+          L(Bo, { name: o ? "lock" : "unlock" }),
           o ? "Locked" : "Lock"
         ] })
       ] }),
-      z(q, { title: "Place", note: "re-trace", children: [
+      X(A, { title: "Place", note: "re-trace", children: [
         o && L("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
         L(
           J,
@@ -1475,201 +1505,201 @@ function Wo() {
             quantity: "length",
             step: 0.01,
             disabled: o,
-            value: [0, 1, 2].map((p) => K(l.map((i) => Math.round(i[p] * 1e4) / 1e4))),
-            set: (p, i) => r("move", (s) => ({ place: { position: se(s.place?.position ?? qo(s.box), p, i) } }))
+            value: [0, 1, 2].map((p) => K(r.map((i) => Math.round(i[p] * 1e4) / 1e4))),
+            set: (p, i) => l("move", (u) => ({ place: { position: ue(u.place?.position ?? Uo(u.box), p, i) } }))
           }
         ),
         [0, 1, 2].map((p) => L(
-          I,
+          V,
           {
             label: `Turn ${"XYZ"[p]}`,
             quantity: "angle",
             step: 5,
             disabled: o,
-            value: K(t.map((i) => Math.round(Fo(i.place?.rotation, p) * 10) / 10)),
-            set: (i) => r("turn", (s) => ({ place: { rotation: ks(p, i(Fo(s.place?.rotation, p))) } }))
+            value: K(t.map((i) => Math.round(_o(i.place?.rotation, p) * 10) / 10)),
+            set: (i) => l("turn", (u) => ({ place: { rotation: Is(p, i(_o(u.place?.rotation, p))) } }))
           },
           p
         )),
         L(
-          I,
+          V,
           {
             label: "Scale",
             quantity: "number",
             step: 0.05,
             disabled: o,
             value: K(t.map((p) => p.place?.scale ?? 1)),
-            set: (p) => r("scale", (i) => ({ place: { scale: Math.max(1e-3, p(i.place?.scale ?? 1)) } }))
+            set: (p) => l("scale", (i) => ({ place: { scale: Math.max(1e-3, p(i.place?.scale ?? 1)) } }))
           }
         )
       ] }),
-      L(q, { title: "Materials", children: L("ul", { class: "buttons", children: n.materials.map((p) => L("li", { children: L("button", { onClick: () => Oo("material", p), children: No.get(p)?.name ?? `material ${p}` }) }, p)) }) })
+      L(A, { title: "Materials", children: L("ul", { class: "buttons", children: n.materials.map((p) => L("li", { children: L("button", { onClick: () => Xo("material", p), children: zo.get(p)?.name ?? `material ${p}` }) }, p)) }) })
     ] })
   ] });
 }
-function Go() {
-  let e = Do.value?.ids[0], t = No.get(e);
+function Zo() {
+  let e = Qo.value?.ids[0], t = zo.get(e);
   if (!t) return L("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (i, s) => Ho(`${t.name}: ${i}`, { materials: { [e]: s } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((i) => 0.2126 * i[0] + 0.7152 * i[1] + 0.0722 * i[2])(o), c = (i) => o.map((s) => Math.max(0, Math.min(1, l > 1e-4 ? s / l * i : i))), p = (i, s) => t[s] != null && z(Dn, { children: [
-    z("div", { class: "line slide", children: [
+  let n = (i, u) => jo(`${t.name}: ${i}`, { materials: { [e]: u } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((i) => 0.2126 * i[0] + 0.7152 * i[1] + 0.0722 * i[2])(o), s = (i) => o.map((u) => Math.max(0, Math.min(1, r > 1e-4 ? u / r * i : i))), p = (i, u) => t[u] != null && X(Bn, { children: [
+    X("div", { class: "line slide", children: [
       L("span", { children: i }),
-      L(Ee, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[s], text: Hn(t[s], 2), patch: (u) => ({ materials: { [e]: { [s]: Math.round(u * 1e3) / 1e3 } } }) })
+      L(Ee, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[u], text: On(t[u], 2), patch: (c) => ({ materials: { [e]: { [u]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
-    L(I, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[s], set: (u) => n(i.toLowerCase(), { [s]: Math.max(0, Math.min(1, u(t[s]))) }) })
+    L(V, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[u], set: (c) => n(i.toLowerCase(), { [u]: Math.max(0, Math.min(1, c(t[u]))) }) })
   ] });
-  return z(Dn, { children: [
+  return X(Bn, { children: [
     L("header", { class: "panel-head", children: L("h2", { children: t.name }) }),
     L("p", { class: "crumbs", children: t.kind }),
-    z("div", { class: "scroll", children: [
-      z(q, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
-        z("div", { class: "line slide", children: [
+    X("div", { class: "scroll", children: [
+      X(A, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
+        X("div", { class: "line slide", children: [
           L("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          L(Ee, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Hn(l, 2), patch: (i) => ({ materials: { [e]: { [a]: c(Math.min(0.95, i)) } } }) })
+          L(Ee, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: On(r, 2), patch: (i) => ({ materials: { [e]: { [a]: s(Math.min(0.95, i)) } } }) })
         ] }),
-        L(I, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (i) => n("reflectance", { [a]: c(Math.min(0.98, i(l))) }) }),
-        z("label", { class: "line", children: [
+        L(V, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [a]: s(Math.min(0.98, i(r))) }) }),
+        X("label", { class: "line", children: [
           L("span", { children: "Colour" }),
-          L("input", { type: "color", class: "pick", "aria-label": "Colour", value: ys(o), onChange: (i) => n("colour", { [a]: vs(i.currentTarget.value) }) })
+          L("input", { type: "color", class: "pick", "aria-label": "Colour", value: Es(o), onChange: (i) => n("colour", { [a]: Ts(i.currentTarget.value) }) })
         ] }),
         p("Roughness", "roughness"),
         p("Gloss", "specular")
       ] }),
-      L(q, { title: "On", children: L("ul", { class: "buttons", children: Nn.all().filter(([, i]) => i.materials.includes(e)).slice(0, 40).map(([i, s]) => L("li", { children: L("button", { onClick: () => Oo("thing", i), children: s.name }) }, i)) }) })
+      L(A, { title: "On", children: L("ul", { class: "buttons", children: Wn.all().filter(([, i]) => i.materials.includes(e)).slice(0, 40).map(([i, u]) => L("li", { children: L("button", { onClick: () => Xo("thing", i), children: u.name }) }, i)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as Bo, jsx as H, jsxs as Ot } from "./desk.js";
-var Ze = ["Scene", "Things", "Materials", "History"], ge = Ms("Scene");
-function Ss() {
-  let e = { Scene: Vo, Things: Eo, Materials: Io, History: Ao }[ge.value];
-  return Ot(Bo, { children: [
-    H("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
+import { Fragment as el, jsx as N, jsxs as Ut } from "./desk.js";
+var et = ["Scene", "Things", "Materials", "History"], ge = qs("Scene");
+function Fs() {
+  let e = { Scene: Go, Things: Oo, Materials: Wo, History: Ko }[ge.value];
+  return Ut(el, { children: [
+    N("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
       let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
-      a && (n.preventDefault(), n.stopPropagation(), ge.value = Ze[(Ze.indexOf(ge.value) + a + Ze.length) % Ze.length], document.getElementById(`tab-${ge.value}`)?.focus());
-    }, children: Ze.map((n) => H("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
-    H("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: H(e, {}) })
+      a && (n.preventDefault(), n.stopPropagation(), ge.value = et[(et.indexOf(ge.value) + a + et.length) % et.length], document.getElementById(`tab-${ge.value}`)?.focus());
+    }, children: et.map((n) => N("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
+    N("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: N(e, {}) })
   ] });
 }
-function Cs() {
-  let e = xs.value;
-  return e ? Ot(Bo, { children: [
-    Ot("nav", { class: "chooser", "aria-label": "Selection", children: [
-      H("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => Ko("previous"), children: H(Wn, { name: "back" }) }),
-      H("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => Ko("next"), children: H(Wn, { name: "forth" }) }),
-      H("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
-      H("span", { class: "gap" }),
-      H("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: ws, children: H(Wn, { name: "close" }) })
+function Ns() {
+  let e = Rs.value;
+  return e ? Ut(el, { children: [
+    Ut("nav", { class: "chooser", "aria-label": "Selection", children: [
+      N("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => Jo("previous"), children: N(Un, { name: "back" }) }),
+      N("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => Jo("next"), children: N(Un, { name: "forth" }) }),
+      N("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
+      N("span", { class: "gap" }),
+      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: As, children: N(Un, { name: "close" }) })
     ] }),
-    Gn.value && H("p", { class: "penless", children: Gn.value }),
-    Ot("fieldset", { class: "editing", disabled: Gn.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && H(ko, {}),
-      e.kind === "thing" && H(Wo, {}),
-      e.kind === "material" && H(Go, {}),
-      e.kind === "meter" && H(no, {}),
-      e.kind === "grid" && H(ao, {})
+    _n.value && N("p", { class: "penless", children: _n.value }),
+    Ut("fieldset", { class: "editing", disabled: _n.value !== null, children: [
+      (e.kind === "lamp" || e.kind === "group") && N(To, {}),
+      e.kind === "thing" && N(Yo, {}),
+      e.kind === "material" && N(Zo, {}),
+      e.kind === "meter" && N(po, {}),
+      e.kind === "grid" && N(mo, {})
     ] })
-  ] }) : H(Ss, {});
+  ] }) : N(Fs, {});
 }
 
 // src/later/legend.tsx
-import { asked as $s, candles as Ls, display as Ps, Field as Vs, show as Ts, three as Es, useRef as Is } from "./desk.js";
-import { jsx as X, jsxs as Dt } from "./desk.js";
-var Kn = [1, 2, 5];
-function As(e, t, n) {
+import { asked as Hs, candles as Gs, display as Ds, Field as Os, show as Ws, three as Ks, useRef as Bs } from "./desk.js";
+import { jsx as Q, jsxs as _t } from "./desk.js";
+var jn = [1, 2, 5];
+function Us(e, t, n) {
   let a = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (Kn.find((c) => c * r >= o) ?? 10);
-    for (let c = Math.ceil(e / l) * l; c <= t * 1.0001; c += l) a.push(c);
+    let o = (t - e) / 5, l = 10 ** Math.floor(Math.log10(o)), r = l * (jn.find((s) => s * l >= o) ?? 10);
+    for (let s = Math.ceil(e / r) * r; s <= t * 1.0001; s += r) a.push(s);
     return a;
   }
   for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of Kn) {
-      let l = r * 10 ** o;
-      l >= e * 0.999 && l <= t * 1.001 && a.push(l);
+    for (let l of jn) {
+      let r = l * 10 ** o;
+      r >= e * 0.999 && r <= t * 1.001 && a.push(r);
     }
   return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
 }
-function Rs(e, t) {
+function _s(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
-var ue = (e, t) => {
-  let n = $s({ ...e, ...t });
-  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Ts({ false_color: n });
+var ce = (e, t) => {
+  let n = Hs({ ...e, ...t });
+  n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && Ws({ false_color: n });
 };
-function Uo(e, t) {
+function tl(e, t) {
   let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
-  return Kn[a] * 10 ** ((n - a) / 3);
+  return jn[a] * 10 ** ((n - a) / 3);
 }
-function qs() {
-  let e = Ps.value.false_color, t = Is(null);
+function js() {
+  let e = Ds.value.false_color, t = Bs(null);
   if (!e) return null;
-  let n = Ls.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, l = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, c = e.ticks ?? As(e.low, e.high, e.scale).map((s) => [s, Rs(s, e)]), p = (s) => ({
-    onPointerDown: (u) => {
-      u.currentTarget.setPointerCapture(u.pointerId), t.current = { y: u.clientY, end: s, from: e[s] };
+  let n = Gs.value === "fc", a = e.quantity === "illuminance", o = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", l = n ? a ? 1 / 10.7639 : 0.2919 : 1, r = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, s = e.ticks ?? Us(e.low, e.high, e.scale).map((u) => [u, _s(u, e)]), p = (u) => ({
+    onPointerDown: (c) => {
+      c.currentTarget.setPointerCapture(c.pointerId), t.current = { y: c.clientY, end: u, from: e[u] };
     },
-    onPointerMove: (u) => {
+    onPointerMove: (c) => {
       let h = t.current;
-      h?.end === s && ue(e, { [s]: Uo(h.from, Math.round((h.y - u.clientY) / 14)) });
+      h?.end === u && ce(e, { [u]: tl(h.from, Math.round((h.y - c.clientY) / 14)) });
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
-    onKeyDown: (u) => {
-      let h = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[u.key];
-      h && (u.preventDefault(), u.stopPropagation(), ue(e, { [s]: Uo(e[s], h) }));
+    onKeyDown: (c) => {
+      let h = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[c.key];
+      h && (c.preventDefault(), c.stopPropagation(), ce(e, { [u]: tl(e[u], h) }));
     }
-  }), i = ({ end: s }) => Dt("div", { class: "end", children: [
-    X(
+  }), i = ({ end: u }) => _t("div", { class: "end", children: [
+    Q(
       "span",
       {
         class: "grip",
         role: "slider",
         tabIndex: 0,
-        "aria-label": s === "low" ? "Lower end of the legend" : "Upper end of the legend",
-        "aria-valuenow": e[s],
+        "aria-label": u === "low" ? "Lower end of the legend" : "Upper end of the legend",
+        "aria-valuenow": e[u],
         "aria-valuemin": 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${Es(e[s] * r)} ${o}`,
-        ...p(s)
+        "aria-valuetext": `${Ks(e[u] * l)} ${o}`,
+        ...p(u)
       }
     ),
-    X(
-      Vs,
+    Q(
+      Os,
       {
-        label: s === "low" ? "Lower end" : "Upper end",
+        label: u === "low" ? "Lower end" : "Upper end",
         quantity: "number",
-        value: Number((e[s] * r).toPrecision(3)),
-        set: (u) => ue(e, { [s]: u(e[s] * r) / r })
+        value: Number((e[u] * l).toPrecision(3)),
+        set: (c) => ce(e, { [u]: c(e[u] * l) / l })
       }
     )
   ] });
-  return Dt("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
-    Dt("header", { children: [
-      X(
+  return _t("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
+    _t("header", { children: [
+      Q(
         "button",
         {
           "aria-label": `${o}: ${a ? "illuminance" : "luminance"}, change`,
-          onClick: () => ue(e, { quantity: a ? "luminance" : "illuminance" }),
+          onClick: () => ce(e, { quantity: a ? "luminance" : "illuminance" }),
           children: o
         }
       ),
-      X("button", { "aria-pressed": e.scale === "log", onClick: () => ue(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      X("button", { "aria-pressed": e.lines, onClick: () => ue(e, { lines: !e.lines }), children: "lines" })
+      Q("button", { "aria-pressed": e.scale === "log", onClick: () => ce(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      Q("button", { "aria-pressed": e.lines, onClick: () => ce(e, { lines: !e.lines }), children: "lines" })
     ] }),
-    X(i, { end: "high" }),
-    X("div", { class: "scale", style: { background: l }, children: c.map(([s, u]) => X("span", { style: { bottom: `${100 * u}%` }, children: String(Number((s * r).toPrecision(2))) }, s)) }),
-    X(i, { end: "low" }),
-    Dt("footer", { children: [
-      X("button", { onClick: () => ue(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-      X("button", { onClick: () => ue(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
-      X(
+    Q(i, { end: "high" }),
+    Q("div", { class: "scale", style: { background: r }, children: s.map(([u, c]) => Q("span", { style: { bottom: `${100 * c}%` }, children: String(Number((u * l).toPrecision(2))) }, u)) }),
+    Q(i, { end: "low" }),
+    _t("footer", { children: [
+      Q("button", { onClick: () => ce(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+      Q("button", { onClick: () => ce(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" }),
+      Q(
         "select",
         {
           "aria-label": "Palette",
           value: e.palette,
-          onChange: (s) => ue(e, { palette: s.currentTarget.value }),
-          children: e.palettes?.map((s) => X("option", { children: s }, s)) ?? X("option", { children: e.palette })
+          onChange: (u) => ce(e, { palette: u.currentTarget.value }),
+          children: e.palettes?.map((u) => Q("option", { children: u }, u)) ?? Q("option", { children: e.palette })
         }
       )
     ] })
@@ -1678,93 +1708,93 @@ function qs() {
 
 // src/later/sheets.tsx
 import {
-  allActions as _n,
-  act as Zo,
-  ask as _s,
-  command as js,
-  copyText as zs,
-  digits as Xs,
-  go as Qs,
-  hear as Ys,
-  lamps as Zs,
-  say as Bt,
-  select as Js,
-  send as Gt,
-  sheet as et,
-  shown as eu,
-  signal as tt,
-  useEffect as jn,
-  useLayoutEffect as tu,
-  useRef as Ut,
-  walkNames as nu,
-  whyNotTo as au
+  allActions as Qn,
+  act as sl,
+  ask as ou,
+  command as lu,
+  copyText as ru,
+  digits as iu,
+  go as su,
+  hear as uu,
+  lamps as cu,
+  say as Qt,
+  select as pu,
+  send as zt,
+  sheet as nt,
+  shown as du,
+  signal as at,
+  useEffect as Yn,
+  useLayoutEffect as mu,
+  useRef as Yt,
+  walkNames as hu,
+  whyNotTo as gu
 } from "./desk.js";
 
 // src/later/csv.ts
-import { gridPoint as Fs, grids as Hs, maintenance as Ns, meters as Os, scene as _o } from "./desk.js";
-var Ds = (e) => {
+import { gridPoint as zs, grids as Xs, maintenance as Qs, meters as Ys, scene as nl } from "./desk.js";
+var Zs = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function Ws() {
-  let e = Ns.peek(), t = [["scene", _o.peek()?.name ?? ""], ["maintenance factor", e], []];
+function Js() {
+  let e = Qs.peek(), t = [["scene", nl.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of Os.all())
+  for (let [, n] of Ys.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of Hs.all()) {
+  for (let [, n] of Xs.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
-    for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
-    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let l = Fs(n, r % n.columns, Math.floor(r / n.columns));
-      t.push([...l.map((c) => c.toFixed(3)), o === null ? null : o * e]);
+    for (let [o, l] of Object.entries(a)) t.push([o, l == null ? null : l * e]);
+    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, l) => {
+      let r = zs(n, l % n.columns, Math.floor(l / n.columns));
+      t.push([...r.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(Ds).join(",")).join(`\r
+  return t.map((n) => n.map(Zs).join(",")).join(`\r
 `) + `\r
 `;
 }
-function Bn(e, t) {
+function zn(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function jo() {
-  let e = URL.createObjectURL(new Blob([Ws()], { type: "text/csv" }));
-  Bn(`${_o.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function al() {
+  let e = URL.createObjectURL(new Blob([Js()], { type: "text/csv" }));
+  zn(`${nl.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Qo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Wt = new Uint8Array(512), Un = new Uint8Array(256);
+var rl = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], jt = new Uint8Array(512), Xn = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  Wt[e] = Wt[e + 255] = t, Un[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var zo = (e, t) => e && t ? Wt[Un[e] + Un[t]] : 0;
-function Gs(e, t) {
+  jt[e] = jt[e + 255] = t, Xn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var ol = (e, t) => e && t ? jt[Xn[e] + Xn[t]] : 0;
+function eu(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
-    let r = new Array(n.length + 1).fill(0);
-    n.forEach((l, c) => {
-      r[c] ^= l, r[c + 1] ^= zo(l, Wt[o]);
-    }), n = r;
+    let l = new Array(n.length + 1).fill(0);
+    n.forEach((r, s) => {
+      l[s] ^= r, l[s + 1] ^= ol(r, jt[o]);
+    }), n = l;
   }
   let a = [...e, ...new Array(t).fill(0)];
   for (let o = 0; o < e.length; o++) {
-    let r = a[o];
-    r && n.forEach((l, c) => a[o + c] ^= zo(l, r));
+    let l = a[o];
+    l && n.forEach((r, s) => a[o + s] ^= ol(r, l));
   }
   return a.slice(e.length);
 }
-function Ks(e, t) {
-  let [n, a, o] = Qo[t - 1], r = [], l = (h, d) => {
-    for (let v = d - 1; v >= 0; v--) r.push(h >> v & 1);
+function tu(e, t) {
+  let [n, a, o] = rl[t - 1], l = [], r = (h, d) => {
+    for (let y = d - 1; y >= 0; y--) l.push(h >> y & 1);
   };
-  for (l(4, 4), l(e.length, 8), e.forEach((h) => l(h, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
-  let c = [];
-  for (let h = 0; h < r.length; h += 8) c.push(parseInt(r.slice(h, h + 8).join(""), 2));
-  for (let h = 236; c.length < n; h ^= 253) c.push(h);
-  let p = n / o, i = Array.from({ length: o }, (h, d) => c.slice(d * p, (d + 1) * p)), s = i.map((h) => Gs(h, a)), u = (h) => h[0].flatMap((d, v) => h.map((f) => f[v]));
-  return [...u(i), ...u(s)];
+  for (r(4, 4), r(e.length, 8), e.forEach((h) => r(h, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
+  let s = [];
+  for (let h = 0; h < l.length; h += 8) s.push(parseInt(l.slice(h, h + 8).join(""), 2));
+  for (let h = 236; s.length < n; h ^= 253) s.push(h);
+  let p = n / o, i = Array.from({ length: o }, (h, d) => s.slice(d * p, (d + 1) * p)), u = i.map((h) => eu(h, a)), c = (h) => h[0].flatMap((d, y) => h.map((v) => v[y]));
+  return [...c(i), ...c(u)];
 }
-var Bs = [
+var nu = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1774,82 +1804,82 @@ var Bs = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function Us(e) {
+function au(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function Xo(e) {
+function ll(e) {
   let t = e.length, n = 0, a = 0;
   for (let o of [!1, !0])
-    for (let r = 0; r < t; r++) {
-      let l = Array.from({ length: t }, (i, s) => o ? e[s][r] : e[r][s]), c = 1;
+    for (let l = 0; l < t; l++) {
+      let r = Array.from({ length: t }, (i, u) => o ? e[u][l] : e[l][u]), s = 1;
       for (let i = 1; i <= t; i++)
-        i < t && l[i] === l[i - 1] ? c++ : (c >= 5 && (n += c - 2), c = 1);
-      let p = l.map(Number).join("");
+        i < t && r[i] === r[i - 1] ? s++ : (s >= 5 && (n += s - 2), s = 1);
+      let p = r.map(Number).join("");
       for (let i = 0; i + 11 <= t; i++) {
-        let s = p.slice(i, i + 11);
-        (s === "10111010000" || s === "00001011101") && (n += 40);
+        let u = p.slice(i, i + 11);
+        (u === "10111010000" || u === "00001011101") && (n += 40);
       }
     }
   for (let o = 0; o < t; o++)
-    for (let r = 0; r < t; r++)
-      e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
+    for (let l = 0; l < t; l++)
+      e[o][l] && a++, l && o && e[o][l] === e[o - 1][l] && e[o][l] === e[o][l - 1] && e[o][l] === e[o - 1][l - 1] && (n += 3);
   return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function Yo(e) {
-  let t = [...new TextEncoder().encode(e)], n = Qo.findIndex(([d]) => t.length + 2 <= d) + 1;
+function il(e) {
+  let t = [...new TextEncoder().encode(e)], n = rl.findIndex(([d]) => t.length + 2 <= d) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (d, v, f) => {
-    d < 0 || v < 0 || d >= a || v >= a || (o[v][d] = f, r[v][d] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = (d, y, v) => {
+    d < 0 || y < 0 || d >= a || y >= a || (o[y][d] = v, l[y][d] = !0);
   };
   for (let d = 0; d < a; d++)
-    l(d, 6, d % 2 === 0), l(6, d, d % 2 === 0);
-  for (let [d, v] of [[3, 3], [a - 4, 3], [3, a - 4]])
-    for (let f = -4; f <= 4; f++)
-      for (let T = -4; T <= 4; T++) {
-        let F = Math.max(Math.abs(T), Math.abs(f));
-        l(d + T, v + f, F !== 2 && F !== 4);
+    r(d, 6, d % 2 === 0), r(6, d, d % 2 === 0);
+  for (let [d, y] of [[3, 3], [a - 4, 3], [3, a - 4]])
+    for (let v = -4; v <= 4; v++)
+      for (let E = -4; E <= 4; E++) {
+        let F = Math.max(Math.abs(E), Math.abs(v));
+        r(d + E, y + v, F !== 2 && F !== 4);
       }
   if (n > 1) {
     let d = a - 7;
-    for (let v = -2; v <= 2; v++) for (let f = -2; f <= 2; f++) l(d + f, d + v, Math.max(Math.abs(f), Math.abs(v)) !== 1);
+    for (let y = -2; y <= 2; y++) for (let v = -2; v <= 2; v++) r(d + v, d + y, Math.max(Math.abs(v), Math.abs(y)) !== 1);
   }
-  let c = (d) => {
-    let v = Us(d);
-    for (let f = 0; f < 15; f++) {
-      let T = (v >> f & 1) === 1, F = f < 6 ? f : f < 8 ? f + 1 : a - 15 + f;
-      l(8, F, T), l(f < 8 ? a - 1 - f : f < 9 ? 7 : 14 - f, 8, T);
+  let s = (d) => {
+    let y = au(d);
+    for (let v = 0; v < 15; v++) {
+      let E = (y >> v & 1) === 1, F = v < 6 ? v : v < 8 ? v + 1 : a - 15 + v;
+      r(8, F, E), r(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, E);
     }
-    l(8, a - 8, !0);
+    r(8, a - 8, !0);
   };
-  c(0);
-  let p = Ks(t, n), i = 0;
+  s(0);
+  let p = tu(t, n), i = 0;
   for (let d = a - 1; d > 0; d -= 2) {
     d === 6 && (d = 5);
-    for (let v = 0; v < a; v++)
-      for (let f of [d, d - 1]) {
-        let F = (d + 1 & 2) === 0 ? a - 1 - v : v;
-        r[F][f] || (o[F][f] = i < p.length * 8 && (p[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
+    for (let y = 0; y < a; y++)
+      for (let v of [d, d - 1]) {
+        let F = (d + 1 & 2) === 0 ? a - 1 - y : y;
+        l[F][v] || (o[F][v] = i < p.length * 8 && (p[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
       }
   }
-  let s = (d) => (c(d), o.map((v, f) => v.map((T, F) => T !== (!r[f][F] && Bs[d](F, f))))), u = s(0), h = Xo(u);
+  let u = (d) => (s(d), o.map((y, v) => y.map((E, F) => E !== (!l[v][F] && nu[d](F, v))))), c = u(0), h = ll(c);
   for (let d = 1; d < 8; d++) {
-    let v = s(d), f = Xo(v);
-    f < h && ([u, h] = [v, f]);
+    let y = u(d), v = ll(y);
+    v < h && ([c, h] = [y, v]);
   }
-  return u;
+  return c;
 }
 
 // src/later/sheets.tsx
-import { Fragment as mu, jsx as g, jsxs as P } from "./desk.js";
-function nt({ title: e, wide: t, children: n }) {
-  let a = Ut(null);
-  tu(() => {
-    let r = a.current, l = document.activeElement;
-    return r.open || r.showModal(), () => l?.focus();
+import { Fragment as Cu, jsx as g, jsxs as P } from "./desk.js";
+function ot({ title: e, wide: t, children: n }) {
+  let a = Yt(null);
+  mu(() => {
+    let l = a.current, r = document.activeElement;
+    return l.open || l.showModal(), () => r?.focus();
   }, []);
-  let o = () => et.value = null;
+  let o = () => nt.value = null;
   return g(
     "dialog",
     {
@@ -1857,7 +1887,7 @@ function nt({ title: e, wide: t, children: n }) {
       class: t ? "sheet wide-sheet" : "sheet",
       "aria-label": e,
       onClose: o,
-      onClick: (r) => r.target === a.current && o(),
+      onClick: (l) => l.target === a.current && o(),
       children: P("div", { class: "sheet-body", children: [
         P("header", { children: [
           g("h2", { children: e }),
@@ -1869,7 +1899,7 @@ function nt({ title: e, wide: t, children: n }) {
     }
   );
 }
-var ou = [
+var bu = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1883,9 +1913,9 @@ var ou = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function lu() {
-  let e = [...new Set(_n().map((t) => t.group))];
-  return g(nt, { title: "All keys", wide: !0, children: P("div", { class: "help", children: [
+function fu() {
+  let e = [...new Set(Qn().map((t) => t.group))];
+  return g(ot, { title: "All keys", wide: !0, children: P("div", { class: "help", children: [
     P("table", { children: [
       g("caption", { class: "spoken", children: "By hand" }),
       g("thead", { children: P("tr", { children: [
@@ -1894,17 +1924,17 @@ function lu() {
         g("th", { scope: "col", children: "Keys, in the view" }),
         g("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      g("tbody", { children: ou.map(([t, n, a, o]) => P("tr", { children: [
+      g("tbody", { children: bu.map(([t, n, a, o]) => P("tr", { children: [
         g("th", { scope: "row", children: t }),
         g("td", { children: n }),
-        g("td", { children: a.replace("walking keys", nu.value) }),
+        g("td", { children: a.replace("walking keys", hu.value) }),
         g("td", { children: o })
       ] }, t)) })
     ] }),
     P("div", { class: "columns", children: [
       e.map((t) => P("section", { children: [
         g("h3", { children: t }),
-        g("dl", { children: _n().filter((n) => n.group === t && n.keys).map((n) => P(mu, { children: [
+        g("dl", { children: Qn().filter((n) => n.group === t && n.keys).map((n) => P(Cu, { children: [
           g("dt", { children: n.label }),
           g("dd", { children: g("kbd", { children: n.keys }) })
         ] })) })
@@ -1925,29 +1955,29 @@ function lu() {
     ] })
   ] }) });
 }
-var Kt = tt(""), Je = tt(0);
-function ru() {
-  let e = Kt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = _n().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: au(a.id), run: () => Zo(a.id) }));
-  for (let { name: a, camera: o } of ft())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => Qs(o, a) });
+var Xt = at(""), tt = at(0);
+function vu() {
+  let e = Xt.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = Qn().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: gu(a.id), run: () => sl(a.id) }));
+  for (let { name: a, camera: o } of Mt())
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => su(o, a) });
   if (e.length)
-    for (let [a, o] of Zs.all()) {
+    for (let [a, o] of cu.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => Js("lamp", a) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => pu("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function iu() {
-  let e = ru(), t = Math.min(Je.value, e.length - 1);
-  jn(() => {
-    Kt.value = "", Je.value = 0;
-  }, []), jn(() => {
+function yu() {
+  let e = vu(), t = Math.min(tt.value, e.length - 1);
+  Yn(() => {
+    Xt.value = "", tt.value = 0;
+  }, []), Yn(() => {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
   let n = (a) => {
-    a && (et.value = null, a.why ? Bt(a.why, "warn") : setTimeout(a.run, 0));
+    a && (nt.value = null, a.why ? Qt(a.why, "warn") : setTimeout(a.run, 0));
   };
-  return P(nt, { title: "Command palette", children: [
+  return P(ot, { title: "Command palette", children: [
     g(
       "input",
       {
@@ -1961,13 +1991,13 @@ function iu() {
         "aria-autocomplete": "list",
         autofocus: !0,
         placeholder: "What shall be done?",
-        value: Kt.value,
+        value: Xt.value,
         onInput: (a) => {
-          Kt.value = a.currentTarget.value, Je.value = 0;
+          Xt.value = a.currentTarget.value, tt.value = 0;
         },
         onKeyDown: (a) => {
           let o = { ArrowDown: 1, ArrowUp: -1 }[a.key];
-          o && (a.preventDefault(), Je.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
+          o && (a.preventDefault(), tt.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
         }
       }
     ),
@@ -1980,7 +2010,7 @@ function iu() {
           "aria-selected": o === t,
           "aria-disabled": a.why !== null,
           title: a.why ?? void 0,
-          onPointerMove: () => Je.value = o,
+          onPointerMove: () => tt.value = o,
           onClick: () => n(a),
           children: [
             g("span", { children: a.label }),
@@ -1993,48 +2023,48 @@ function iu() {
     ] })
   ] });
 }
-var Jo = tt([]);
-Ys("links", (e) => Jo.value = e.links);
-function su({ text: e }) {
-  let t = Yo(e);
+var ul = at([]);
+uu("links", (e) => ul.value = e.links);
+function ku({ text: e }) {
+  let t = il(e);
   if (!t) return null;
-  let n = t.length + 8, a = t.map((o, r) => o.map((l, c) => l ? `M${c + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
+  let n = t.length + 8, a = t.map((o, l) => o.map((r, s) => r ? `M${s + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
   return P("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
     g("rect", { width: n, height: n, fill: "#fff" }),
     g("path", { d: a, fill: "#000" })
   ] });
 }
-function uu() {
-  let e = tt(null), t = Ut(e).current;
-  return jn(() => {
-    Gt({ do: "links", what: "list" });
-  }, []), P(nt, { title: "Share by link", children: [
+function wu() {
+  let e = at(null), t = Yt(e).current;
+  return Yn(() => {
+    zt({ do: "links", what: "list" });
+  }, []), P(ot, { title: "Share by link", children: [
     g("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    g("ul", { class: "links", children: Jo.value.map((n) => P("li", { children: [
+    g("ul", { class: "links", children: ul.value.map((n) => P("li", { children: [
       g("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
       g("code", { children: n.address }),
       P("span", { class: "buttons", children: [
         g("button", { onClick: () => {
-          zs(n.address);
+          ru(n.address);
         }, children: "Copy" }),
         g("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
-        g("button", { onClick: () => Gt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
+        g("button", { onClick: () => zt({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && g(su, { text: n.address })
+      t.value === n.id && g(ku, { text: n.address })
     ] }, n.id)) }),
     P("footer", { children: [
-      g("button", { onClick: () => Gt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
-      g("button", { onClick: () => Gt({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
+      g("button", { onClick: () => zt({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
+      g("button", { onClick: () => zt({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
     ] })
   ] });
 }
-function cu() {
-  let e = Ut(null), t = () => {
+function xu() {
+  let e = Yt(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    js({ do: "save", name: n }), et.value = null, Bt(`Saving the version “${n}”.`);
+    lu({ do: "save", name: n }), nt.value = null, Qt(`Saving the version “${n}”.`);
   };
-  return P(nt, { title: "Save a version", children: [
+  return P(ot, { title: "Save a version", children: [
     g("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
     P("label", { class: "line", children: [
       g("span", { children: "Name" }),
@@ -2043,18 +2073,18 @@ function cu() {
     g("footer", { children: g("button", { onClick: t, children: "Save" }) })
   ] });
 }
-var te = tt(null);
-function pu() {
-  let e = eu.value?.head, t = Ut(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+var te = at(null);
+function Mu() {
+  let e = du.value?.head, t = Yt(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
     te.value = 0;
-    let [o, r] = [Number(n("width")), Number(n("height"))];
-    _s("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.why ? (te.value = null, Bt(l.why, "warn")) : l.url ? (te.value = null, Bn(l.name, l.url), et.value = null) : te.value = l.progress ?? 0;
-    }, (l) => {
-      te.value = null, Bt(l, "warn");
+    let [o, l] = [Number(n("width")), Number(n("height"))];
+    ou("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
+      r.why ? (te.value = null, Qt(r.why, "warn")) : r.url ? (te.value = null, zn(r.name, r.url), nt.value = null) : te.value = r.progress ?? 0;
+    }, (r) => {
+      te.value = null, Qt(r, "warn");
     });
   };
-  return P(nt, { title: "Save the picture", children: [
+  return P(ot, { title: "Save the picture", children: [
     P("div", { ref: t, class: "form", children: [
       P("label", { class: "line", children: [
         g("span", { children: "Format" }),
@@ -2078,23 +2108,23 @@ function pu() {
     ] }),
     te.value !== null && g("progress", { max: 1, value: te.value, "aria-label": "Rendering" }),
     P("footer", { children: [
-      g("button", { onClick: () => Zo("command"), children: "Copy the command" }),
-      g("button", { disabled: te.value !== null, onClick: a, children: te.value === null ? "Render and save" : te.value ? `${Xs(te.value * 100)} %` : "Rendering…" })
+      g("button", { onClick: () => sl("command"), children: "Copy the command" }),
+      g("button", { disabled: te.value !== null, onClick: a, children: te.value === null ? "Render and save" : te.value ? `${iu(te.value * 100)} %` : "Rendering…" })
     ] })
   ] });
 }
-function du() {
-  switch (et.value) {
+function Su() {
+  switch (nt.value) {
     case "help":
-      return g(lu, {});
+      return g(fu, {});
     case "palette":
-      return g(iu, {});
+      return g(yu, {});
     case "share":
-      return g(uu, {});
+      return g(wu, {});
     case "save":
-      return g(cu, {});
+      return g(xu, {});
     case "picture":
-      return g(pu, {});
+      return g(Mu, {});
     default:
       return null;
   }
@@ -2102,28 +2132,28 @@ function du() {
 
 // src/later/sheetrow.tsx
 import {
-  act as hu,
-  colorText as el,
-  cost as gu,
-  css as bu,
-  Field as fu,
-  groups as vu,
-  hovered as _t,
-  Icon as yu,
-  lamps as ku,
-  lumensOf as wu,
-  penless as xu,
-  pickRow as Mu,
-  select as Su,
-  selection as tl,
-  switchOn as Cu,
-  three as $u,
-  typeGroupLevel as Lu,
-  typeLevel as Pu
+  act as $u,
+  colorText as cl,
+  cost as Lu,
+  css as Pu,
+  Field as Vu,
+  groups as Tu,
+  hovered as Zt,
+  Icon as Eu,
+  lamps as Iu,
+  lumensOf as Au,
+  penless as Ru,
+  pickRow as qu,
+  select as Fu,
+  selection as pl,
+  switchOn as Nu,
+  three as Hu,
+  typeGroupLevel as Gu,
+  typeLevel as Du
 } from "./desk.js";
-import { jsx as Y, jsxs as zn } from "./desk.js";
-function Vu() {
-  return zn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+import { jsx as Y, jsxs as Zn } from "./desk.js";
+function Ou() {
+  return Zn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     Y("span", {}),
     Y("span", { children: "Name" }),
     Y("span", { children: "Level" }),
@@ -2131,40 +2161,40 @@ function Vu() {
     Y("span", { children: "White" })
   ] });
 }
-function Tu({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? ku.get(e.id) : void 0, o = e.kind === "group" ? vu.get(e.id) : void 0, r = a ?? o;
-  if (!r) return null;
-  let l = tl.value?.kind === e.kind && tl.value.ids.includes(e.id), c = wu(o?.lamps ?? [e.id]), p = xu.value, i = _t.value?.kind === e.kind && _t.value.id === e.id;
-  return zn(
+function Wu({ row: e, index: t, count: n }) {
+  let a = e.kind === "lamp" ? Iu.get(e.id) : void 0, o = e.kind === "group" ? Tu.get(e.id) : void 0, l = a ?? o;
+  if (!l) return null;
+  let r = pl.value?.kind === e.kind && pl.value.ids.includes(e.id), s = Au(o?.lamps ?? [e.id]), p = Ru.value, i = Zt.value?.kind === e.kind && Zt.value.id === e.id;
+  return Zn(
     "div",
     {
-      class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${i ? "under" : ""}`,
+      class: `sheet-row depth-${e.depth} ${e.kind} ${r ? "selected" : ""} ${l.on ? "" : "off"} ${i ? "under" : ""}`,
       role: "listitem",
       "aria-setsize": n,
       "aria-posinset": t + 1,
       "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => _t.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => _t.value = null,
+      onPointerEnter: () => Zt.value = { kind: e.kind, id: e.id },
+      onPointerLeave: () => Zt.value = null,
       children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: p !== null, title: p ?? void 0, "aria-label": `${r.name} on`, onClick: () => Cu(e, !r.on), children: Y(yu, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? gu(a) : void 0, onClick: (s) => Mu(s, e.kind, e.id), onDblClick: () => hu("frame"), children: Y("span", { children: r.name }) }),
+        Y("button", { class: "icon power", "aria-pressed": l.on, disabled: p !== null, title: p ?? void 0, "aria-label": `${l.name} on`, onClick: () => Nu(e, !l.on), children: Y(Eu, { name: "power" }) }),
+        Y("button", { class: "row-name", "aria-pressed": r, title: a ? Lu(a) : void 0, onClick: (u) => qu(u, e.kind, e.id), onDblClick: () => $u("frame"), children: Y("span", { children: l.name }) }),
         Y(
-          fu,
+          Vu,
           {
-            label: `${r.name} level`,
+            label: `${l.name} level`,
             quantity: "level",
-            value: r.level,
+            value: l.level,
             flux: a?.flux,
             step: 0.01,
             disabled: p !== null,
             why: p,
-            set: (s) => a ? Pu([e.id], s) : Lu(e.id, s)
+            set: (u) => a ? Du([e.id], u) : Gu(e.id, u)
           }
         ),
-        Y("span", { class: "lumens", children: $u(c) }),
-        a ? zn("button", { class: "tint", "aria-label": `${r.name} colour: ${el(a)}`, onClick: () => Su("lamp", e.id), children: [
-          Y("i", { class: "swatch", style: { background: bu(a.swatch) } }),
-          el(a)
+        Y("span", { class: "lumens", children: Hu(s) }),
+        a ? Zn("button", { class: "tint", "aria-label": `${l.name} colour: ${cl(a)}`, onClick: () => Fu("lamp", e.id), children: [
+          Y("i", { class: "swatch", style: { background: Pu(a.swatch) } }),
+          cl(a)
         ] }) : Y("span", {})
       ]
     }
@@ -2173,93 +2203,93 @@ function Tu({ row: e, index: t, count: n }) {
 
 // src/later/strip.tsx
 import {
-  act as Xn,
-  command as rl,
-  digits as Qn,
-  fade as jt,
-  Field as Eu,
-  grids as nl,
-  Icon as Ne,
-  looks as al,
+  act as Jn,
+  command as bl,
+  digits as ea,
+  fade as Jt,
+  Field as Ku,
+  grids as dl,
+  Icon as He,
+  looks as ml,
   luxText as be,
-  maintenance as Iu,
-  meters as ol,
-  select as ll,
-  selection as zt,
-  signal as Au,
-  storeLook as Ru
+  maintenance as Bu,
+  meters as hl,
+  select as gl,
+  selection as en,
+  signal as Uu,
+  storeLook as _u
 } from "./desk.js";
-import { Fragment as Ou, jsx as M, jsxs as N } from "./desk.js";
-var Yn = Au("looks");
-function qu() {
-  return N("section", { class: "looks", "aria-label": "Looks", children: [
-    N("header", { children: [
+import { Fragment as Yu, jsx as M, jsxs as H } from "./desk.js";
+var ta = Uu("looks");
+function ju() {
+  return H("section", { class: "looks", "aria-label": "Looks", children: [
+    H("header", { children: [
       M("h2", { children: "Looks" }),
-      M("button", { class: "tab", onClick: () => Yn.value = "meters", children: "Meters" }),
-      M("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Ru, children: M(Ne, { name: "plus" }) }),
+      M("button", { class: "tab", onClick: () => ta.value = "meters", children: "Meters" }),
+      M("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: _u, children: M(He, { name: "plus" }) }),
       M("span", { class: "gap" }),
-      N("label", { class: "tint", children: [
+      H("label", { class: "tint", children: [
         "Fade",
-        M(Eu, { label: "Cross-fade", quantity: "seconds", value: jt.value, step: 0.5, set: (e) => jt.value = Math.max(0, e(jt.value)) })
+        M(Ku, { label: "Cross-fade", quantity: "seconds", value: Jt.value, step: 0.5, set: (e) => Jt.value = Math.max(0, e(Jt.value)) })
       ] })
     ] }),
-    N("ul", { children: [
-      al.all().map(([e, t], n) => N("li", { class: "look", children: [
-        N("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => rl({ do: "look", id: e, what: "recall", seconds: jt.peek() }), children: [
+    H("ul", { children: [
+      ml.all().map(([e, t], n) => H("li", { class: "look", children: [
+        H("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => bl({ do: "look", id: e, what: "recall", seconds: Jt.peek() }), children: [
           t.picture && M("img", { src: t.picture, alt: "" }),
           M("span", { children: t.name })
         ] }),
-        M(Fu, { id: e, name: t.name })
+        M(zu, { id: e, name: t.name })
       ] }, e)),
-      !al.ids.value.length && M("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !ml.ids.value.length && M("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function Fu({ id: e, name: t }) {
-  let n = `look-${e}`, a = (c) => {
-    let p = c.getBoundingClientRect(), i = document.getElementById(n);
+function zu({ id: e, name: t }) {
+  let n = `look-${e}`, a = (s) => {
+    let p = s.getBoundingClientRect(), i = document.getElementById(n);
     i?.style.setProperty("left", `${Math.min(p.left, innerWidth - 296)}px`), i?.style.setProperty("bottom", `${innerHeight - p.top + 4}px`), i?.style.setProperty("top", "auto");
-  }, o = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), l = (c, p = {}) => {
-    r(), rl({ do: "look", id: e, what: c, ...p });
+  }, o = { popovertarget: n }, l = () => document.getElementById(n)?.hidePopover(), r = (s, p = {}) => {
+    l(), bl({ do: "look", id: e, what: s, ...p });
   };
-  return N(Ou, { children: [
-    M("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (c) => a(c.currentTarget), onFocus: (c) => a(c.currentTarget), children: M(Ne, { name: "more" }) }),
-    N("div", { id: n, popover: "auto", class: "menu", children: [
-      N("label", { class: "line", children: [
+  return H(Yu, { children: [
+    M("button", { class: "icon more", ...o, "aria-label": `More of ${t}`, onPointerDown: (s) => a(s.currentTarget), onFocus: (s) => a(s.currentTarget), children: M(He, { name: "more" }) }),
+    H("div", { id: n, popover: "auto", class: "menu", children: [
+      H("label", { class: "line", children: [
         M("span", { children: "Name" }),
-        M("span", { class: "field", children: M("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (c) => l("rename", { name: c.currentTarget.value }) }) })
+        M("span", { class: "field", children: M("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (s) => r("rename", { name: s.currentTarget.value }) }) })
       ] }),
-      M("button", { class: "item", onClick: () => l("update"), children: M("span", { children: "Update to what is set now" }) }),
-      M("button", { class: "item", onClick: () => l("recall", { seconds: 0 }), children: M("span", { children: "Recall at once" }) }),
-      M("button", { class: "item", onClick: () => l("remove"), children: M("span", { children: "Remove" }) })
+      M("button", { class: "item", onClick: () => r("update"), children: M("span", { children: "Update to what is set now" }) }),
+      M("button", { class: "item", onClick: () => r("recall", { seconds: 0 }), children: M("span", { children: "Recall at once" }) }),
+      M("button", { class: "item", onClick: () => r("remove"), children: M("span", { children: "Remove" }) })
     ] })
   ] });
 }
-function Hu() {
-  let e = Iu.value;
-  return N("section", { class: "readings", "aria-label": "Meters and grids", children: [
-    N("header", { children: [
+function Xu() {
+  let e = Bu.value;
+  return H("section", { class: "readings", "aria-label": "Meters and grids", children: [
+    H("header", { children: [
       M("h2", { children: "Meters" }),
-      M("button", { class: "tab", onClick: () => Yn.value = "looks", children: "Looks" }),
-      M("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Xn("meter-tool"), children: M(Ne, { name: "meter" }) }),
-      M("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Xn("grid"), children: M(Ne, { name: "grid" }) }),
-      M("button", { onClick: () => Xn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
-      M("button", { onClick: jo, title: "Save all figures as CSV", children: "CSV" }),
+      M("button", { class: "tab", onClick: () => ta.value = "looks", children: "Looks" }),
+      M("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Jn("meter-tool"), children: M(He, { name: "meter" }) }),
+      M("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Jn("grid"), children: M(He, { name: "grid" }) }),
+      M("button", { onClick: () => Jn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
+      M("button", { onClick: al, title: "Save all figures as CSV", children: "CSV" }),
       M("span", { class: "gap" }),
-      M("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${Qn(e, 2)} maintained` })
+      M("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${ea(e, 2)} maintained` })
     ] }),
-    N("ul", { children: [
-      ol.all().map(([t, n]) => {
+    H("ul", { children: [
+      hl.all().map(([t, n]) => {
         let a = n.lux;
-        return M("li", { children: N("button", { class: "reading", "aria-pressed": zt.value?.kind === "meter" && zt.value.ids.includes(t), onClick: () => ll("meter", t), children: [
-          N("span", { class: "tint", children: [
-            M(Ne, { name: "meter" }),
+        return M("li", { children: H("button", { class: "reading", "aria-pressed": en.value?.kind === "meter" && en.value.ids.includes(t), onClick: () => gl("meter", t), children: [
+          H("span", { class: "tint", children: [
+            M(He, { name: "meter" }),
             n.name,
             " ",
-            M(kn, { of: Mt(n) })
+            M(Cn, { of: Vt(n) })
           ] }),
-          M("strong", { class: wt(n) ? "unsettled" : "", children: a ? be(a[0] * e) : "…" }),
-          N("small", { children: [
+          M("strong", { class: Lt(n) ? "unsettled" : "", children: a ? be(a[0] * e) : "…" }),
+          H("small", { children: [
             a?.[1] != null ? `±${be(a[1] * e, !1)}` : "measuring",
             " ",
             n.kind,
@@ -2267,133 +2297,133 @@ function Hu() {
           ] })
         ] }) }, `m${t}`);
       }),
-      nl.all().map(([t, n]) => {
+      dl.all().map(([t, n]) => {
         let a = n.target;
-        return M("li", { children: N("button", { class: "reading", "aria-pressed": zt.value?.kind === "grid" && zt.value.ids.includes(t), onClick: () => ll("grid", t), children: [
-          N("span", { class: "tint", children: [
-            M(Ne, { name: "grid" }),
+        return M("li", { children: H("button", { class: "reading", "aria-pressed": en.value?.kind === "grid" && en.value.ids.includes(t), onClick: () => gl("grid", t), children: [
+          H("span", { class: "tint", children: [
+            M(He, { name: "grid" }),
             n.name,
             " ",
-            M(kn, { of: St(n) })
+            M(Cn, { of: Tt(n) })
           ] }),
-          M("strong", { class: xt(n) ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
-          N("small", { children: [
+          M("strong", { class: Pt(n) ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${be(n.mean * e)}${n.error == null ? "" : ` ±${be(n.error * e, !1)}`}` }),
+          H("small", { children: [
             "U₀ ",
-            n.uniformity == null ? "…" : Qn(n.uniformity, 2),
+            n.uniformity == null ? "…" : ea(n.uniformity, 2),
             " · ",
             n.min == null ? "…" : be(n.min * e, !1),
             " to",
             " ",
             n.max == null ? "…" : be(n.max * e, !1),
-            a ? ` · wants ${be(a.lux)}, U₀ ${Qn(a.uniformity, 2)}` : ""
+            a ? ` · wants ${be(a.lux)}, U₀ ${ea(a.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
-      !ol.ids.value.length && !nl.ids.value.length && M("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !hl.ids.value.length && !dl.ids.value.length && M("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Nu() {
-  return N("div", { class: "strip-parts", "data-tab": Yn.value, children: [
-    M(qu, {}),
-    M(Hu, {})
+function Qu() {
+  return H("div", { class: "strip-parts", "data-tab": ta.value, children: [
+    M(ju, {}),
+    M(Xu, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  camera as ul,
-  digits as cl,
-  display as Du,
-  Field as Qt,
-  go as pl,
-  houseLights as Zn,
+  camera as yl,
+  digits as kl,
+  display as Zu,
+  Field as nn,
+  go as wl,
+  houseLights as na,
   Item as $e,
-  Range as Wu,
-  show as Jn,
-  theme as il,
-  walking as Gu
+  Range as Ju,
+  show as aa,
+  theme as fl,
+  walking as ec
 } from "./desk.js";
-import { Fragment as Yt, jsx as C, jsxs as ne } from "./desk.js";
-var Xt = Math.PI / 360;
-function sl(e) {
-  let t = ul.peek();
-  t && pl({ ...t, fov: Math.max(3, Math.min(140, e)) });
+import { Fragment as an, jsx as C, jsxs as ne } from "./desk.js";
+var tn = Math.PI / 360;
+function vl(e) {
+  let t = yl.peek();
+  t && wl({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function Ku() {
-  let e = ul.value, t = ft();
-  return ne(Yt, { children: [
+function tc() {
+  let e = yl.value, t = Mt();
+  return ne(an, { children: [
     ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => C($e, { id: n }, n)),
     C("hr", {}),
     ["plan", "ceiling", "north", "east", "south", "west"].map((n) => C($e, { id: `preset-${n}` }, n)),
     C("hr", {}),
     t.length > 0 && C("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    t.map(({ name: n, camera: a }, o) => C("button", { class: "item", onClick: () => pl(a, n), children: C("span", { children: n }) }, o)),
+    t.map(({ name: n, camera: a }, o) => C("button", { class: "item", onClick: () => wl(a, n), children: C("span", { children: n }) }, o)),
     t.length > 0 && C("hr", {}),
-    e && !e.height && ne(Yt, { children: [
+    e && !e.height && ne(an, { children: [
       ne("label", { class: "line", children: [
         C("span", { children: "Angle" }),
-        C(Qt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => sl(n(e.fov)) })
+        C(nn, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => vl(n(e.fov)) })
       ] }),
       ne("label", { class: "line", children: [
         C("span", { children: "Focal length" }),
-        C(Qt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Xt)) / 10, text: `${cl(12 / Math.tan(e.fov * Xt), 1)} mm`, step: 1, set: (n) => sl(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Xt)))) / Xt) })
+        C(nn, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * tn)) / 10, text: `${kl(12 / Math.tan(e.fov * tn), 1)} mm`, step: 1, set: (n) => vl(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * tn)))) / tn) })
       ] }),
       C("hr", {})
     ] }),
-    C($e, { id: "walking", label: Gu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    C($e, { id: "walking", label: ec.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
     C($e, { id: "from-lamp" }),
     ["default", "blender", "maya", "trackpad"].map((n) => C($e, { id: `hands-${n}` }, n))
   ] });
 }
-var Bu = ["linear", "reinhard", "filmic"];
-function Uu() {
-  let e = Du.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return ne(Yt, { children: [
+var nc = ["linear", "reinhard", "filmic"];
+function ac() {
+  let e = Zu.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+  return ne(an, { children: [
     ne("fieldset", { children: [
       C("legend", { children: "Tone curve" }),
-      C("div", { class: "segments", children: Bu.map((n) => C("button", { "aria-pressed": e.tone === n, onClick: () => Jn({ tone: n }), children: n }, n)) })
+      C("div", { class: "segments", children: nc.map((n) => C("button", { "aria-pressed": e.tone === n, onClick: () => aa({ tone: n }), children: n }, n)) })
     ] }),
     ne("fieldset", { children: [
       C("legend", { children: "White balance" }),
       ne("label", { class: "line", children: [
         C("span", { children: "White" }),
-        C(Qt, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Jn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+        C(nn, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => aa({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
       ne("label", { class: "line", children: [
         C("span", { children: "Tint" }),
-        C(Qt, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Jn({ white: { ...t, tint: n(t.tint) } }) })
+        C(nn, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => aa({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
     C("hr", {}),
     ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => C($e, { id: n }, n))
   ] });
 }
-function _u() {
-  return ne(Yt, { children: [
+function oc() {
+  return ne(an, { children: [
     ne("label", { class: "line", children: [
       C("span", { children: "House lights" }),
-      C(Wu, { label: "House lights", value: Zn.value, text: `${cl(Zn.value * 100)} %`, on: (e) => Zn.value = Math.max(0.3, e) })
+      C(Ju, { label: "House lights", value: na.value, text: `${kl(na.value * 100)} %`, on: (e) => na.value = Math.max(0.3, e) })
     ] }),
-    C("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => C("button", { "aria-pressed": il.value === e, onClick: () => il.value = e, children: e }, e)) }),
+    C("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => C("button", { "aria-pressed": fl.value === e, onClick: () => fl.value = e, children: e }, e)) }),
     C("hr", {}),
     ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => C($e, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as Zt, cut as ju, digits as dl, edit as ml, go as zu, Icon as at, Range as Xu, setCut as Qu, signal as Yu, storeView as Zu, viewName as Ju, views as ec } from "./desk.js";
-import { jsx as G, jsxs as ea } from "./desk.js";
-var Jt = Yu(null);
-function tc() {
-  let e = ec.all();
-  return ea("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    G("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => Zt("home"), children: G(at, { name: "home" }) }),
-    G("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => Zt("frame"), children: G(at, { name: "frame" }) }),
-    G("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => Zt("back"), children: G(at, { name: "back" }) }),
-    G("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => Zt("forth"), children: G(at, { name: "forth" }) }),
-    G("span", { class: "divide" }),
-    e.map(([t, n], a) => Jt.value === t ? G("span", { class: "field", children: G(
+import { act as on, cut as lc, digits as xl, edit as Ml, go as rc, Icon as lt, Range as ic, setCut as sc, signal as uc, storeView as cc, viewName as pc, views as dc } from "./desk.js";
+import { jsx as W, jsxs as oa } from "./desk.js";
+var ln = uc(null);
+function mc() {
+  let e = dc.all();
+  return oa("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => on("home"), children: W(lt, { name: "home" }) }),
+    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => on("frame"), children: W(lt, { name: "frame" }) }),
+    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => on("back"), children: W(lt, { name: "back" }) }),
+    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => on("forth"), children: W(lt, { name: "forth" }) }),
+    W("span", { class: "divide" }),
+    e.map(([t, n], a) => ln.value === t ? W("span", { class: "field", children: W(
       "input",
       {
         type: "text",
@@ -2402,94 +2432,94 @@ function tc() {
         maxLength: 60,
         ref: (o) => o?.focus(),
         onBlur: (o) => {
-          let r = o.currentTarget.value.trim();
-          Jt.value = null, r && r !== n.name && ml(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+          let l = o.currentTarget.value.trim();
+          ln.value = null, l && l !== n.name && Ml(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
         onKeyDown: (o) => {
           o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
         }
       }
-    ) }, t) : ea(
+    ) }, t) : oa(
       "button",
       {
         class: "saved-view",
-        "aria-pressed": Ju.value === n.name,
+        "aria-pressed": pc.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => zu(n, n.name ?? "view"),
-        onDblClick: () => Jt.value = t,
+        onClick: () => rc(n, n.name ?? "view"),
+        onDblClick: () => ln.value = t,
         onKeyDown: (o) => {
-          o.key === "F2" && (Jt.value = t), o.key === "Delete" && (o.stopPropagation(), ml(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+          o.key === "F2" && (ln.value = t), o.key === "Delete" && (o.stopPropagation(), Ml(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
-          G("small", { children: a + 1 }),
+          W("small", { children: a + 1 }),
           " ",
           n.name ?? `View ${t + 1}`
         ]
       },
       t
     )),
-    G("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Zu, children: G(at, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: cc, children: W(lt, { name: "plus" }) })
   ] });
 }
-function nc() {
-  let e = ju.value;
+function hc() {
+  let e = lc.value;
   if (!e) return null;
-  let t = e.height === null ? `${dl(e.value, 2)} m` : `at ${dl(e.height, 2)} m`;
-  return ea("label", { class: "cut", "data-scroll": !0, children: [
-    G("span", { children: "Cut" }),
-    G(
-      Xu,
+  let t = e.height === null ? `${xl(e.value, 2)} m` : `at ${xl(e.height, 2)} m`;
+  return oa("label", { class: "cut", "data-scroll": !0, children: [
+    W("span", { children: "Cut" }),
+    W(
+      ic,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => Qu(n * e.most)
+        on: (n) => sc(n * e.most)
       }
     ),
-    G("output", { children: t })
+    W("output", { children: t })
   ] });
 }
 
 // src/later/walkpad.tsx
-import { padWalk as ac, useRef as oc } from "./desk.js";
-import { jsx as hl } from "./desk.js";
-function lc() {
-  let e = oc(null), t = (n) => {
+import { padWalk as gc, useRef as bc } from "./desk.js";
+import { jsx as Sl } from "./desk.js";
+function fc() {
+  let e = bc(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
-    let r = a.getBoundingClientRect(), l = (i) => Math.max(-1, Math.min(1, i)), c = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), p = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${c * 28}px, ${-p * 28}px)`), ac(p, c);
+    let l = a.getBoundingClientRect(), r = (i) => Math.max(-1, Math.min(1, i)), s = o ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), p = o ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
+    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-p * 28}px)`), gc(p, s);
   };
-  return hl("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: hl("span", { ref: e }) });
+  return Sl("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Sl("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as gl,
-  closeWhat as bl,
-  digits as rc,
-  hovered as fl,
-  Icon as ic,
-  lamps as sc,
+  chosenLamps as Cl,
+  closeWhat as $l,
+  digits as vc,
+  hovered as Ll,
+  Icon as yc,
+  lamps as kc,
   luxText as fe,
-  nameOf as uc,
-  select as cc,
-  useEffect as pc,
-  useRef as dc,
-  viewSize as mc,
-  what as hc
+  nameOf as wc,
+  select as xc,
+  useEffect as Mc,
+  useRef as Sc,
+  viewSize as Cc,
+  what as $c
 } from "./desk.js";
-import { jsx as B, jsxs as ae } from "./desk.js";
-var Le = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], gc = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function bc() {
-  let e = hc.value, t = dc(null);
-  if (pc(() => {
+import { jsx as B, jsxs as oe } from "./desk.js";
+var Le = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Lc = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Pc() {
+  let e = $c.value, t = Sc(null);
+  if (Mc(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = mc.value, o = [...e.lamps].sort((u, h) => Le(h) - Le(u)), r = o.reduce((u, h) => u + Le(h), 0) || 1, l = o.slice(0, 9), c = r - l.reduce((u, h) => u + Le(h), 0), p = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * l.length)), s = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
-  return ae(
+  let [n, a] = Cc.value, o = [...e.lamps].sort((c, h) => Le(h) - Le(c)), l = o.reduce((c, h) => c + Le(h), 0) || 1, r = o.slice(0, 9), s = l - r.reduce((c, h) => c + Le(h), 0), p = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * r.length)), u = e.lux ? `${fe(e.lux[0])} ±${fe(e.lux[1], !1)}` : "Measuring…";
+  return oe(
     "div",
     {
       class: "what sheetlet",
@@ -2498,84 +2528,84 @@ function bc() {
       tabIndex: -1,
       ref: t,
       style: { left: `${p}px`, top: `${i}px` },
-      onKeyDown: (u) => {
-        u.key === "Escape" && (u.stopPropagation(), bl(), document.getElementById("view")?.focus());
+      onKeyDown: (c) => {
+        c.key === "Escape" && (c.stopPropagation(), $l(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
-        ae("header", { children: [
-          B("strong", { class: e.done ? "" : "unsettled", children: s }),
+        oe("header", { children: [
+          B("strong", { class: e.done ? "" : "unsettled", children: u }),
           B("span", { class: "quiet", children: "what lights this" }),
-          B("button", { class: "icon", "aria-label": "Close", onClick: bl, children: B(ic, { name: "close" }) })
+          B("button", { class: "icon", "aria-label": "Close", onClick: $l, children: B(yc, { name: "close" }) })
         ] }),
-        ae("ol", { children: [
-          l.map((u) => B(
+        oe("ol", { children: [
+          r.map((c) => B(
             "li",
             {
-              onPointerEnter: () => fl.value = { kind: "lamp", id: u.id },
-              onPointerLeave: () => fl.value = null,
-              children: ae("button", { class: "row", onClick: () => cc("lamp", u.id), children: [
-                B("span", { class: "name", children: uc("lamp", u.id) }),
-                ae("span", { class: "figure", children: [
-                  rc(100 * Le(u) / r, Le(u) / r < 0.0995 ? 1 : 0),
+              onPointerEnter: () => Ll.value = { kind: "lamp", id: c.id },
+              onPointerLeave: () => Ll.value = null,
+              children: oe("button", { class: "row", onClick: () => xc("lamp", c.id), children: [
+                B("span", { class: "name", children: wc("lamp", c.id) }),
+                oe("span", { class: "figure", children: [
+                  vc(100 * Le(c) / l, Le(c) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
-                ae("span", { class: "figure lux", children: [
-                  fe(Le(u)),
+                oe("span", { class: "figure lux", children: [
+                  fe(Le(c)),
                   " ±",
-                  fe(gc(u), !1)
+                  fe(Lc(c), !1)
                 ] }),
-                ae("span", { class: "shares", "aria-hidden": "true", children: [
-                  B("i", { class: "direct", style: { width: `${100 * u.direct[0] / r}%` } }),
-                  B("i", { class: "indirect", style: { width: `${100 * u.indirect[0] / r}%` } }),
-                  B("i", { class: "caustic", style: { width: `${100 * u.caustic[0] / r}%` } })
+                oe("span", { class: "shares", "aria-hidden": "true", children: [
+                  B("i", { class: "direct", style: { width: `${100 * c.direct[0] / l}%` } }),
+                  B("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / l}%` } }),
+                  B("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / l}%` } })
                 ] }),
-                ae("span", { class: "spoken", children: [
+                oe("span", { class: "spoken", children: [
                   "direct ",
-                  fe(u.direct[0]),
+                  fe(c.direct[0]),
                   ", indirect ",
-                  fe(u.indirect[0]),
+                  fe(c.indirect[0]),
                   ", caustic",
                   " ",
-                  fe(u.caustic[0])
+                  fe(c.caustic[0])
                 ] })
               ] })
             },
-            u.id
+            c.id
           )),
-          o.length > l.length && ae("li", { class: "quiet", children: [
-            o.length - l.length === 1 ? "one more" : `${o.length - l.length} more together`,
+          o.length > r.length && oe("li", { class: "quiet", children: [
+            o.length - r.length === 1 ? "one more" : `${o.length - r.length} more together`,
             ": ",
-            fe(c)
+            fe(s)
           ] }),
           !o.length && B("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
-        ae("footer", { children: [
+        oe("footer", { children: [
           B("span", { class: "key direct", children: "direct" }),
           B("span", { class: "key indirect", children: "indirect" }),
           B("span", { class: "key caustic", children: "caustic" }),
           B("span", { class: "gap" }),
-          gl.value.some((u) => sc.get(u)?.place?.direction) && B("button", { onClick: () => Be(gl.peek(), e.hit.point), children: "Aim here" }),
-          B("button", { onClick: () => Ue(e.hit.point, e.hit.normal), children: "Meter here" })
+          Cl.value.some((c) => kc.get(c)?.place?.direction) && B("button", { onClick: () => Be(Cl.peek(), e.hit.point), children: "Aim here" }),
+          B("button", { onClick: () => _e(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
     }
   );
 }
 export {
-  Ir as Compare,
-  nc as CutBar,
-  hi as Gizmo,
-  Cs as Inspector,
-  qs as Legend,
-  _u as PageItems,
-  Uu as SeeingItems,
-  Vu as SheetHead,
-  Tu as SheetRow,
-  du as Sheets,
-  Nu as Strip,
-  Ku as ViewItems,
-  tc as ViewStrip,
-  lc as WalkPad,
-  bc as What
+  Kr as Compare,
+  hc as CutBar,
+  Ci as Gizmo,
+  Ns as Inspector,
+  js as Legend,
+  oc as PageItems,
+  ac as SeeingItems,
+  Ou as SheetHead,
+  Wu as SheetRow,
+  Su as Sheets,
+  Qu as Strip,
+  tc as ViewItems,
+  mc as ViewStrip,
+  fc as WalkPad,
+  Pc as What
 };

@@ -90,6 +90,7 @@ function withControl(e: KeyboardEvent): string | null {
     if (key === 'k') return 'palette';
     if (key === 's') return e.shiftKey ? 'picture' : 'save';
     if (key === 'd') return 'duplicate';
+    if (key === 'g') return e.shiftKey ? 'ungroup' : 'group';
     if (key === 'a') return 'all-lamps';
     if (key === 'enter') return 'look-store';
     return null;

@@ -8,6 +8,7 @@ import {
     toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
     type Preset,
 } from '../desk';
+import { group, ungroup, whyNotGroup, whyNotUngroup } from './grouping';
 import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
 const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
@@ -92,6 +93,8 @@ const list: Action[] = [
     })),
     { id: 'duplicate', group: 'Lamps', label: 'Duplicate', keys: 'Ctrl+D', run: () => copyAlong(chosenLamps.peek(), 1, [0.5, 0, 0]), why: needLamp },
     { id: 'remove', group: 'Lamps', label: 'Remove', keys: 'Del', run: () => removeLamps(chosenLamps.peek()), why: needLamp },
+    { id: 'group', group: 'Lamps', label: 'Group: one master for those selected', keys: 'Ctrl+G', run: group, why: () => whyNot() ?? whyNotGroup() },
+    { id: 'ungroup', group: 'Lamps', label: 'Dissolve the group, or take lamps out of it', keys: 'Ctrl+Shift+G', run: ungroup, why: () => whyNot() ?? whyNotUngroup() },
     { id: 'hide', group: 'Things', label: 'Hide', keys: 'H', run: () => hide(true), why: whyNot },
     { id: 'unhide', group: 'Things', label: 'Show what is hidden', keys: 'Alt+H', run: () => hide(false), why: whyNot },
     { id: 'undo', group: 'Work', label: 'Undo', keys: 'Ctrl+Z', run: () => command({ do: 'undo' }), why: () => whyNot() ?? (history.value.undo === null ? 'There is nothing to undo.' : null) },

@@ -95,7 +95,7 @@ export function GridInspector() {
                 </Section>
                 <Section title="Area">
                     <Triple label="Corner" quantity="length" step={0.01} value={grid.corner} set={(axis, apply) => set('move', { corner: changed(grid.corner, axis, apply) })} />
-                    <Line label="Above the floor" quantity="length" step={0.01} value={height} set={(apply) => set('height', { corner: add(grid.corner, scale(up.value, apply(height) - height)) })} />
+                    <Line label="Height" name="Height above the floor" quantity="length" step={0.01} value={height} set={(apply) => set('height', { corner: add(grid.corner, scale(up.value, apply(height) - height)) })} />
                     <Line label="Border" quantity="length" step={0.05} value={grid.border ?? 0} set={(apply) => standard('border', Math.max(0, apply(grid.border ?? 0)))} />
                     <Line label="Columns" quantity="number" step={1} value={grid.columns} set={(apply) => set('spacing', { columns: Math.max(1, Math.min(200, Math.round(apply(grid.columns)))) })} />
                     <Line label="Rows" quantity="number" step={1} value={grid.rows} set={(apply) => set('spacing', { rows: Math.max(1, Math.min(200, Math.round(apply(grid.rows)))) })} />
