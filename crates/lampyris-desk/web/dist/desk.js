@@ -1,5 +1,5 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ls, Gt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], us = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, cs, Gt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], fs = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
@@ -23,7 +23,7 @@ function Ne(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function cs(e) {
+function ps(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
   a && ((t = et({ constructor: Gt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
 }
@@ -37,19 +37,19 @@ function zr(e) {
 }
 function ti() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && cs(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && ps(e);
   } finally {
     (Tn = Fe.length) && (xo || queueMicrotask)(ti);
   }
 }
 function ni(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = fs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = ds(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function fs(e, t, n, o, r) {
+function ds(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === Gt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ps(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === Gt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ms(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -71,7 +71,7 @@ function oi(e, t, n, o) {
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function ps(e, t, n, o) {
+function ms(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -90,7 +90,7 @@ function Mn(e, t, n, o, r) {
     if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
     if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ds(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = hs(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ds(e) {
+function hs(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -118,7 +118,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = hs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = gs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
@@ -156,7 +156,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
       else t.__e = n.__e;
       t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
     }
-  } else s = t.__e = ms(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = vs(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
 function En(e, t) {
@@ -183,7 +183,7 @@ function ii(e, t, n) {
     }
   });
 }
-function ms(e, t, n, o, r, i, a, s, p, c) {
+function vs(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function ms(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && us.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && fs.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -223,7 +223,7 @@ function Lo(e, t, n) {
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function hs(e, t, n) {
+function gs(e, t, n) {
   return this.constructor(e, n);
 }
 function ai(e, t) {
@@ -249,22 +249,22 @@ E = { __e: function(e, t, n, o) {
   this.__v && (this.__g |= 4, e && this.__h.push(e), zr(this));
 }, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ls = 0;
+}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, cs = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, ie, Vo, si, vs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
-function Oo(e, t) {
+var Xt, ie, Vo, si, bs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
+function Ho(e, t) {
   j.__h && j.__h(ie, e, Io || t), Io = 0;
   var n = ie.__H || (ie.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
 function Ee(e, t) {
-  var n = Oo(Xt++, 3);
-  !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ie.__H.__h.push(n));
+  var n = Ho(Xt++, 3);
+  !j.__s && Ko(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ie.__H.__h.push(n));
 }
-function gs(e, t) {
-  var n = Oo(Xt++, 4);
-  !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, ie.__h.push(n));
+function ys(e, t) {
+  var n = Ho(Xt++, 4);
+  !j.__s && Ko(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, ie.__h.push(n));
 }
 function ne(e) {
   return Io = 5, Ln(function() {
@@ -272,10 +272,10 @@ function ne(e) {
   }, []);
 }
 function Ln(e, t) {
-  var n = Oo(Xt++, 7);
-  return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+  var n = Ho(Xt++, 7);
+  return Ko(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function bs() {
+function _s() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
@@ -339,14 +339,14 @@ j.__b = function(e) {
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
 var mi = typeof requestAnimationFrame == "function";
-function ys(e) {
+function ws(e) {
   var t, n = function() {
     clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
   mi && (t = requestAnimationFrame(n));
 }
 function hi(e) {
-  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || ys)(bs);
+  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || ws)(_s);
 }
 function zt(e) {
   var t = ie, n = e.__c;
@@ -356,17 +356,17 @@ function Ro(e) {
   var t = ie;
   e.__c = e.__(), ie = t;
 }
-function Ho(e, t) {
+function Ko(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !vs(n, e[o]);
+    return !bs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var _s = /* @__PURE__ */ Symbol.for("preact-signals");
+var ks = /* @__PURE__ */ Symbol.for("preact-signals");
 function Rn() {
-  if (Oe > 1)
-    Oe--;
+  if (He > 1)
+    He--;
   else {
     var e, t = !1;
     for ((function() {
@@ -388,42 +388,42 @@ function Rn() {
         n = o;
       }
     }
-    if (Vn = 0, Oe--, t) throw e;
+    if (Vn = 0, He--, t) throw e;
   }
 }
-function On(e) {
-  if (Oe > 0) return e();
-  Ko = ++ws, Oe++;
+function Hn(e) {
+  if (He > 0) return e();
+  Oo = ++xs, He++;
   try {
     return e();
   } finally {
     Rn();
   }
 }
-var Yt, O = void 0;
+var Yt, H = void 0;
 function re(e) {
-  var t = O, n = Yt;
-  O = void 0, Yt = void 0;
+  var t = H, n = Yt;
+  H = void 0, Yt = void 0;
   try {
     return e();
   } finally {
-    O = t, Yt = n;
+    H = t, Yt = n;
   }
 }
-var Qt = void 0, Oe = 0, Vn = 0, ws = 0, Ko = 0, In = void 0, An = 0;
+var Qt = void 0, He = 0, Vn = 0, xs = 0, Oo = 0, In = void 0, An = 0;
 function gi(e) {
-  if (O !== void 0) {
+  if (H !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== O)
-      return t = { i: 0, S: e, p: O.s, n: void 0, t: O, e: void 0, x: void 0, r: t }, O.s !== void 0 && (O.s.n = t), O.s = t, e.n = t, 32 & O.f && e.S(t), t;
+    if (t === void 0 || t.t !== H)
+      return t = { i: 0, S: e, p: H.s, n: void 0, t: H, e: void 0, x: void 0, r: t }, H.s !== void 0 && (H.s.n = t), H.s = t, e.n = t, 32 & H.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = O.s, t.n = void 0, O.s.n = t, O.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = H.s, t.n = void 0, H.s.n = t, H.s = t), t;
   }
 }
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = _s;
+Y.prototype.brand = ks;
 Y.prototype.h = function() {
   return !0;
 };
@@ -475,8 +475,8 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
   if (e !== this.v) {
     if (Vn > 100) throw new Error("Cycle detected");
     (function(n) {
-      Oe !== 0 && Vn === 0 && n.l !== Ko && (n.l = Ko, In = { S: n, v: n.v, i: n.i, o: In });
-    })(this), this.v = e, this.i++, An++, Oe++;
+      He !== 0 && Vn === 0 && n.l !== Oo && (n.l = Oo, In = { S: n, v: n.v, i: n.i, o: In });
+    })(this), this.v = e, this.i++, An++, He++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
@@ -516,15 +516,15 @@ tt.prototype.h = function() {
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
   if (this.g = An, this.f |= 1, this.i > 0 && !bi(this))
     return this.f &= -2, !0;
-  var e = O;
+  var e = H;
   try {
-    yi(this), O = this;
+    yi(this), H = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, _i(this), this.f &= -2, !0;
+  return H = e, _i(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -557,15 +557,15 @@ function N(e, t) {
 function wi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Oe++;
-    var n = O;
-    O = void 0;
+    He++;
+    var n = H;
+    H = void 0;
     try {
       t();
     } catch (o) {
       throw e.f &= -2, e.f |= 8, Do(e), o;
     } finally {
-      O = n, Rn();
+      H = n, Rn();
     }
   }
 }
@@ -573,9 +573,9 @@ function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
   e.x = void 0, e.s = void 0, wi(e);
 }
-function ks(e) {
-  if (O !== this) throw new Error("Out-of-order effect");
-  _i(this), O = e, this.f &= -2;
+function Ss(e) {
+  if (H !== this) throw new Error("Out-of-order effect");
+  _i(this), H = e, this.f &= -2;
   try {
     8 & this.f && Do(this);
   } finally {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, wi(this), yi(this), Oe++;
-  var e = O;
-  return O = this, ks.bind(this, e);
+  this.f |= 1, this.f &= -9, wi(this), yi(this), He++;
+  var e = H;
+  return H = this, Ss.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, xs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
+var Fo, Zt, Kn, Ms = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
 T(function() {
   Fo = this.N;
 })();
@@ -631,11 +631,11 @@ function yt(e, t) {
   });
 }
 function Jt(e) {
-  if (Hn) {
-    var t = Hn;
-    Hn = void 0, t();
+  if (Kn) {
+    var t = Kn;
+    Kn = void 0, t();
   }
-  Hn = e && e.S();
+  Kn = e && e.S();
 }
 function Si(e) {
   var t = this, n = e.data, o = nt(n);
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        xs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        Ms && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,13 +712,13 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = Ss(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = Cs(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function Ss(e, t, n, o) {
+function Cs(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
@@ -777,30 +777,30 @@ function nt(e, t) {
     return g(e, t);
   }, []);
 }
-var Ms = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Es = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Cs = function(e) {
+}, Ts = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Es() {
-  On(function() {
+function Ps() {
+  Hn(function() {
     for (var e; e = ki.shift(); ) Fo.call(e);
   });
 }
-function Ts() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Ms)(Es);
+function $s() {
+  ki.push(this) === 1 && (E.requestAnimationFrame || Es)(Ps);
 }
-function Ps() {
-  On(function() {
+function Ls() {
+  Hn(function() {
     for (var e; e = xi.shift(); ) Fo.call(e);
   });
 }
 function Mi() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ps);
+  xi.push(this) === 1 && (E.requestAnimationFrame || Ts)(Ls);
 }
 function Ci(e, t) {
   var n = ne(e);
@@ -808,24 +808,24 @@ function Ci(e, t) {
   var o = Zt;
   Ee(function() {
     return T(function() {
-      if (this.N = Ts, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = $s, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/vec.ts
-var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
+var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(K(e, t)), $s = (e, t, n) => I(S(e, 1 - n), S(t, n));
-function J(e, t = [0, 0, 1]) {
+], be = (e) => Math.hypot(e[0], e[1], e[2]), Ke = (e, t) => be(O(e, t)), Vs = (e, t, n) => I(S(e, 1 - n), S(t, n));
+function Z(e, t = [0, 0, 1]) {
   let n = be(e);
   return n > 1e-12 ? S(e, 1 / n) : t;
 }
 function ot(e) {
   let t = Math.abs(e[0]) < 0.7 * be(e) ? [1, 0, 0] : [0, 1, 0];
-  return J(ge(t, e));
+  return Z(ge(t, e));
 }
 function en(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
@@ -838,44 +838,44 @@ function _t([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => $s(e, t, 0.5);
+var qe = ([e, t]) => Vs(e, t, 0.5);
 
 // src/camera.ts
-var No = Math.PI / 180, Kn = 89 * No;
+var No = Math.PI / 180, On = 89 * No;
 function wt(e, t, n) {
-  let o = J(K(e.target, e.eye), [0, 0, -1]), r = J(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * No * 0.5) / n;
+  let o = Z(O(e.target, e.eye), [0, 0, -1]), r = Z(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * No * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
 function tn(e, t) {
-  let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+  let n = O(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function Ls(e, t, n) {
+function Is(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
-  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
+  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
 }
 function Ei(e, t, n, o) {
-  let r = K(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(be(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
+  let r = O(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = O(r, S(t, q(r, t))), p = Z(be(s) > 1e-6 * i ? s : O(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-On, Math.min(On, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, S(d, i)) };
 }
 function Ti(e, t, n, o, r) {
-  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(be(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
+  let i = O(e.target, e.eye), a = O(i, S(t, q(i, t))), s = Z(be(a) > 1e-6 ? a : e.up, ot(t)), p = Z(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
   return je(e, c);
 }
 function Pi(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), ot(i));
+  let i = Z(O(e.target, e.eye)), a = Z(ge(i, e.up), ot(i));
   return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
 }
 function je(e, t) {
   return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
 }
 function $i(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Kn, Math.min(Kn, a + r)), p = J(ge(i, t), J(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
+  let i = Z(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-On, Math.min(On, a + r)), p = Z(ge(i, t), Z(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
   return {
     ...e,
     up: t,
-    eye: I(n, c(K(e.eye, n))),
-    target: I(n, c(K(e.target, n)))
+    eye: I(n, c(O(e.eye, n))),
+    target: I(n, c(O(e.target, n)))
   };
 }
 function Li(e, t, n, o, r) {
@@ -883,7 +883,7 @@ function Li(e, t, n, o, r) {
   return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
 }
 function Dn(e, t, n, o, r) {
-  let i = K(t, e.eye), a = be(i);
+  let i = O(t, e.eye), a = be(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
   return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), je(e, S(i, s / a));
@@ -896,32 +896,32 @@ function Fn(e, t, n, o, r) {
   return { ...je(e, s), height: i };
 }
 function Vi(e, t, n = 0.4) {
-  let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
+  let o = qe(t), r = Math.max(Ke(t[0], t[1]) / 2, 0.5), i = Z(O(e.eye, e.target));
   if (e.height) {
-    let s = q(K(e.eye, o), i);
+    let s = q(O(e.eye, o), i);
     return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
   }
   let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
   return { ...e, eye: I(o, S(i, a)), target: o };
 }
-var Vs = ["plan", "ceiling", "north", "east", "south", "west"];
+var As = ["plan", "ceiling", "north", "east", "south", "west"];
 function Ii(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
-  return { right: J(ge(n, e)), ahead: n };
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ge(e, t));
+  return { right: Z(ge(n, e)), ahead: n };
 }
 function Ai(e, t, n, o) {
-  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
+  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), c = {
     plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
     south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
     west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), d = 1, m = K(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
+  }[e], u = s(c.forward), d = 1, m = O(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
   return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
 }
 function nn(e, t) {
-  let n = (r, i) => He(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+  let n = (r, i) => Ke(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
@@ -936,10 +936,10 @@ var ae = {
 }, Ri = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
   addEventListener(e, (t) => Ri = t.timeStamp, { capture: !0, passive: !0 });
-function Oi(e, t) {
+function Hi(e, t) {
   ae.sent.push({ seq: e, what: t, at: performance.now(), input: Ri }), ae.sent.length > 1024 && ae.sent.shift();
 }
-function Hi(e) {
+function Ki(e) {
   ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -1001,7 +1001,7 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Ki(e) {
+function Oi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1040,7 +1040,7 @@ var Te = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Ki(a.shown.peek()) !== Ki(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Oi(a.shown.peek()) !== Oi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
     }
     n && this.number();
   }
@@ -1056,14 +1056,14 @@ var Te = class {
   looks: Mt,
   meters: Ct,
   grids: qn
-}, Z = g(null), sn = g([]), xe = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Pe = g(null), jn = new on({
+}, ee = g(null), sn = g([]), xe = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Pe = g(null), jn = new on({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
 }), at = jn.shown, qo = {
-  scene: Z,
+  scene: ee,
   layers: sn,
   solo: xe,
   history: rt,
@@ -1109,28 +1109,28 @@ var qi = N(() => {
   let e = M.all();
   return e.length > 0 && e.every(([, t]) => st(t) === 0);
 });
-function Is(e, t) {
+function Rs(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
+var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Oe = g(0), ji = () => null, Ui = (e) => {
   ji = e;
 }, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", Gn = !1;
 function Se(e, t) {
   let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
   return Bn.set(e, n.add(t)), () => n.delete(t);
 }
-function H(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Oi(ln, e.do), ln);
+function K(e) {
+  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Hi(ln, e.do), ln);
 }
-var As = 0, lt = /* @__PURE__ */ new Map();
+var Hs = 0, lt = /* @__PURE__ */ new Map();
 function Me(e, t, n, o = () => {
 }) {
-  let r = ++As, i = Se("answer", (s) => {
+  let r = ++Hs, i = Se("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
-  }), a = H({ do: "ask", id: r, what: e, ...t });
+  }), a = K({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
   lt.set(a, (s) => {
@@ -1142,26 +1142,26 @@ function Me(e, t, n, o = () => {
   }
   return i;
 }
-function Rs(e) {
+function Ks(e) {
   switch (e.is) {
     case "hello":
       if (un = 0, Wo !== null && e.build !== Wo) {
         U.value = "renewed", Ue?.close();
         return;
       }
-      Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
+      Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
       Di(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Oe.value);
       break;
     case "status":
       Pe.value = e;
       break;
     case "refused":
-      if (Bo(e.seq), Et(Ke.value), lt.has(e.seq)) {
+      if (Bo(e.seq), Et(Oe.value), lt.has(e.seq)) {
         lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
         return;
       }
@@ -1173,7 +1173,7 @@ function Rs(e) {
   for (let t of [...Bn.get(e.is) ?? []]) t(e);
 }
 function Bo(e) {
-  typeof e == "number" && e > Ke.value && (Ke.value = e);
+  typeof e == "number" && e > Oe.value && (Oe.value = e);
 }
 async function Wi() {
   if (!Tt) return "in";
@@ -1199,13 +1199,13 @@ function Bi() {
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), Rs(r);
+    r.is === "hello" && (n = !0, ln = 0), Ks(r);
   }, t.onclose = () => {
     t === Ue && (Ue = null, U.value !== "renewed" && Os(n));
   };
 }
 async function Os(e) {
-  if (Et(1 / 0), !e && await Hs()) {
+  if (Et(1 / 0), !e && await Ds()) {
     let o = await Wi();
     if (o === "denied" || o === "in" && un > 4 && !Tt) {
       U.value = "denied";
@@ -1220,7 +1220,7 @@ async function Os(e) {
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
   cn.value = 0, Bi();
 }
-async function Hs() {
+async function Ds() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
@@ -1239,7 +1239,7 @@ Se("hello", () => Gn = !1);
 
 // src/frames.ts
 var W = g(null), $t = g(0), zi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), $e = null, Go = null, zo = !1, ut = null;
-function Ks(e) {
+function Fs(e) {
   if (e.byteLength < Xi) return null;
   let t = new DataView(e);
   return { head: {
@@ -1256,28 +1256,28 @@ function Ks(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ds(e) {
-  let t = Ks(e);
-  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, zo || Fs(), t.head) : null;
+function Ns(e) {
+  let t = Fs(e);
+  return t ? (ut && K({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, zo || qs(), t.head) : null;
 }
-async function Fs() {
+async function qs() {
   for (zo = !0; ut; ) {
     let { head: e, mime: t, bytes: n, received: o } = ut;
     ut = null;
     try {
       let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
-      Ns(e, r, n.byteLength, o);
+      js(e, r, n.byteLength, o);
     } catch {
     }
-    H({ do: "ack", frame: e.frame });
+    K({ do: "ack", frame: e.frame });
   }
   zo = !1;
 }
-function Ns(e, t, n, o) {
+function js(e, t, n, o) {
   let r = performance.now();
   $e && Go && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), Go.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), qs(), Hi({
+  i && (W.value = { head: e, camera: i }), Us(), Ki({
     frame: e.frame,
     seq: e.seq,
     kind: zi.indexOf(e.kind),
@@ -1294,7 +1294,7 @@ function Ns(e, t, n, o) {
   });
 }
 var zn = [];
-function qs() {
+function Us() {
   let e = performance.now();
   zn = zn.filter((t) => e - t < 1e3), zn.push(e), $t.value = zn.length;
 }
@@ -1306,7 +1306,7 @@ function Yi() {
   let e = document.createElement("canvas");
   return e.width = $e.width, e.height = $e.height, e.getContext("2d", { alpha: !1 })?.drawImage($e, 0, 0), e;
 }
-Ui(Ds);
+Ui(Ns);
 Se("camera", (e) => {
   Pt.set(e.number, e);
   for (let t of Pt.keys()) {
@@ -1336,13 +1336,13 @@ function se(e, t) {
     }
   }), o;
 }
-var Yo = se("theme", "dark"), Qo = se("house-lights", 1), Xn = se("hands", "default"), Jo = se("walking", "walk"), Zo = se("panels", !0), Lt = se("listing", "faders"), Yn = se("travel", "square"), Vt = se("candles", "lx"), er = se("single-keys", !0), tr = se("lamp-marks", !0), js = se("maintenance", 1), Us = se("work-plane", 0.75), We = se("fine", !1), nr = se("fade", 1), Ws = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, _e = se("look-only", Ws);
+var Yo = se("theme", "dark"), Qo = se("house-lights", 1), Xn = se("hands", "default"), Jo = se("walking", "walk"), Zo = se("panels", !0), Lt = se("listing", "faders"), Yn = se("travel", "square"), Vt = se("candles", "lx"), er = se("single-keys", !0), tr = se("lamp-marks", !0), Ws = se("maintenance", 1), Bs = se("work-plane", 0.75), We = se("fine", !1), nr = se("fade", 1), Gs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, _e = se("look-only", Gs);
 
 // src/say.ts
-var ct = g([]), Bs = 0;
+var ct = g([]), zs = 0;
 function le(e, t = "plain") {
   if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++Bs;
+  let o = ++zs;
   ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
 }
 function or(e) {
@@ -1368,11 +1368,11 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = an(this.touched, t), this.waiting = an(this.waiting ?? {}, t), this.under <= Ke.peek() && this.flush());
+    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = an(this.touched, t), this.waiting = an(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
   }
   end(t) {
     this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ji(t) } : {} })), this.state = "over";
@@ -1382,7 +1382,7 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   /** The server has followed so far. */
   followed() {
-    this.waiting && this.under <= Ke.peek() && this.flush();
+    this.waiting && this.under <= Oe.peek() && this.flush();
   }
   /** The line is gone, and with it what was held. */
   drop() {
@@ -1391,25 +1391,25 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = re(Jn);
-    return t ? (le(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
+    return t ? (le(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = K({ do: "begin", label: Ji(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    fn.delete(this), It = Math.max(0, It - 1), It === 0 && H(t);
+    fn.delete(this), It = Math.max(0, It - 1), It === 0 && K(t);
   }
 };
 function Ve(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Gs(e, t) {
+function Xs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
 function At(e) {
-  re(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, H({ do: "display", patch: e })));
+  re(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, K({ do: "display", patch: e })));
 }
 var Le = null;
 function rr(e, t, n) {
@@ -1419,20 +1419,20 @@ function Zi() {
   Le && (clearTimeout(Le.timer), Le.gesture.end(), Le = null);
 }
 T(() => {
-  Ke.value, re(() => [...fn].forEach((e) => e.followed()));
+  Oe.value, re(() => [...fn].forEach((e) => e.followed()));
 });
 T(() => {
   U.value !== "open" && [...fn].forEach((e) => e.drop());
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), zs = g(0.5);
-function Xs() {
+var pn = g(null), de = g(null), Ys = g(0.5);
+function Qs() {
   let e = W.peek(), t = Yi();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
 function ir() {
-  de.peek() !== "wipe" && Xs();
+  de.peek() !== "wipe" && Qs();
 }
 ta(ir);
 function na() {
@@ -1445,12 +1445,12 @@ function na() {
 function dn(e) {
   e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Ys() {
+function Js() {
   de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), G = g(null), Qs = g("move"), ue = N(() => {
+var P = g(null), me = g(null), G = g(null), Zs = g("move"), ue = N(() => {
   let e = P.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
@@ -1474,7 +1474,7 @@ function oa(e, t, n) {
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Js(e) {
+function el(e) {
   let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
@@ -1515,25 +1515,25 @@ function ia(e, t) {
 var to = g(null);
 
 // src/navigate.ts
-var Zs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => Z.value?.up ?? [0, 0, 1]), we = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, ze = [], cr = [], ur = 0;
+var tl = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => ee.value?.up ?? [0, 0, 1]), we = g([640, 480]), Kt = g(null), lr = null, mn = null, ar = !1, ze = [], cr = [], ur = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
   let o = performance.now();
-  n && (o - ur > 1e3 || t) && (ze.push(n), ze.length > 100 && ze.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
+  n && (o - ur > 1e3 || t) && (ze.push(n), ze.length > 100 && ze.shift(), cr.length = 0), ur = o, he.value = e, Kt.value = t;
 }
 var oe = () => he.peek();
-function el() {
+function nl() {
   la(ze, cr);
 }
-function tl() {
+function ol() {
   la(cr, ze);
 }
 function la(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
-  o && t.push(o), ur = performance.now(), he.value = n, Ht.value = null;
+  o && t.push(o), ur = performance.now(), he.value = n, Kt.value = null;
 }
 T(() => {
   !he.value || U.value !== "open" || !sa.value || ar || (ar = !0, requestAnimationFrame(() => {
@@ -1541,7 +1541,7 @@ T(() => {
     let t = he.peek();
     if (!t || mn && nn(mn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (p.height = a), s && (p.near = s), H(p) && (mn = t);
+    a && (p.height = a), s && (p.near = s), K(p) && (mn = t);
   }));
 });
 T(() => {
@@ -1551,7 +1551,7 @@ T(() => {
   });
 });
 Se("hello", () => mn = null);
-function Kt(e, t) {
+function Ot(e, t) {
   let n = W.peek();
   if (!n) return null;
   let { head: o } = n, r = hn(o.width, o.height);
@@ -1565,7 +1565,7 @@ function ft(e = he.peek()) {
   let [t, n] = we.peek();
   return e ? wt(e, t, n) : null;
 }
-var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
+var Ht = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ht());
 function no(e, t) {
   let n = oe();
   n && Q(Ei(n, Ie.peek(), e, t));
@@ -1586,11 +1586,11 @@ function ua(e, t, n) {
       r && Q(je(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ie.peek(), e, t, n)) : (Q(Ti(o, Ie.peek(), e, t, 0)), nl());
+    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ie.peek(), e, t, n)) : (Q(Ti(o, Ie.peek(), e, t, 0)), rl());
   }
 }
 var Rt = !1, sr = !0, aa = null;
-function nl() {
+function rl() {
   let e = oe();
   if (!e || Rt || !sr) return;
   let t = Ie.peek();
@@ -1600,7 +1600,7 @@ function nl() {
     let r = oe();
     if (!o.hit || !r || r.height) return;
     aa = q(o.point, t);
-    let i = aa + Zs - q(r.eye, t);
+    let i = aa + tl - q(r.eye, t);
     Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
   }, () => {
     Rt = !1, sr = !1;
@@ -1609,7 +1609,7 @@ function nl() {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function ol() {
+function il() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
@@ -1623,35 +1623,35 @@ function ol() {
   return [r(Math.min), r(Math.max)];
 }
 function fr() {
-  let e = oe(), t = ol();
+  let e = oe(), t = il();
   e && t ? Q(Vi(e, t), "selection") : pr();
 }
 function pr() {
   lr && Q(lr, "home");
 }
-function rl(e) {
+function al(e) {
   let [t, n] = we.peek();
-  Q(Ai(e, Ot(), Ie.peek(), t / n), e);
+  Q(Ai(e, Ht(), Ie.peek(), t / n), e);
 }
-function il() {
+function sl() {
   for (let e = ze.length - 1; e >= 0; e--)
     if (!ze[e].height) return Q(ze[e], "inside");
   pr();
 }
-var al = N(() => {
+var ll = N(() => {
   let e = he.value;
   if (!e?.height) return null;
-  let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ie.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ie.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ie.value) + r * o - i : null;
+  let t = wt(e, 2, 2), n = _t(Ht()).map((s) => q(O(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ie.value), i = Math.min(..._t(Ht()).map((s) => q(s, Ie.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ie.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function sl(e) {
+function ul(e) {
   let t = oe();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
 var dr = g("spot"), ca = () => {
-}, ll = (e) => {
+}, cl = (e) => {
   ca = e;
 }, fa = (e) => ca(e);
 function mr(e) {
@@ -1667,16 +1667,16 @@ var pt = g(null), Ae = g("lamps"), gr = g("");
 function ao(e) {
   let t = Jn();
   if (t) return le(t, "warn");
-  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), H(e);
+  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), K(e);
 }
-var ul = (e, t) => Object.fromEntries(e.map((n) => [n, t])), cl = {
+var fl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), pl = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = cl, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), fl = () => at.peek().false_color ?? vr;
+}, vr = pl, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), dl = () => at.peek().false_color ?? vr;
 function br() {
   let e = at.peek().false_color;
   e && (vr = e), At({ false_color: e ? null : pa(vr) });
@@ -1685,13 +1685,13 @@ function so(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
   At({ ev: t });
 }
-function pl() {
+function ml() {
   let e = oe();
   if (!e) return;
   let t = ro(St);
   Ve("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var dl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
+var hl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
 async function yr(e) {
   let t = !1;
   try {
@@ -1703,11 +1703,11 @@ async function yr(e) {
   le(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
-function ml(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), io && ee(io), io = null;
+function vl(e) {
+  Nt = new Map(e.map((t) => [t.id, t])), io && te(io), io = null;
 }
-var hl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
-function ee(e) {
+var gl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
+function te(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
   let n = t?.why?.();
@@ -1715,18 +1715,18 @@ function ee(e) {
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var vl = /* @__PURE__ */ Symbol.for("pv"), gl = 0;
+var bl = /* @__PURE__ */ Symbol.for("pv"), yl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: vl, __v: --gl, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: bl, __v: --yl, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
 var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
-function te({ part: e }) {
+function J({ part: e }) {
   let t = wr(e);
   return t ? l(t, {}) : null;
 }
@@ -1759,9 +1759,9 @@ var lo = 0.3048, ga = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, bl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+}, _l = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
 function kr(e) {
-  let t = bl.exec(e);
+  let t = _l.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
@@ -1943,7 +1943,7 @@ function xr({ id: e, label: t }) {
       "aria-disabled": n !== null,
       title: n ?? void 0,
       onClick: (r) => {
-        r.currentTarget.closest("[popover]")?.hidePopover(), ee(e);
+        r.currentTarget.closest("[popover]")?.hidePopover(), te(e);
       },
       children: [
         l("span", { children: t ?? o?.label }),
@@ -1963,30 +1963,30 @@ var _a = {
 function wa() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
-    l(qt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(te, { part: "PageItems" }) }),
-    l("h1", { title: o.file || Z.value?.file, children: [
-      Z.value?.name ?? "Lampyris",
+    l(qt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(J, { part: "PageItems" }) }),
+    l("h1", { title: o.file || ee.value?.file, children: [
+      ee.value?.name ?? "Lampyris",
       l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
-      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => ee("undo"), children: l(z, { name: "undo" }) }),
-      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => ee("redo"), children: l(z, { name: "redo" }) })
+      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => te("undo"), children: l(z, { name: "undo" }) }),
+      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => te("redo"), children: l(z, { name: "redo" }) })
     ] }),
     l(qt, { id: "view-menu", label: l(X, { children: [
       "View ",
       l(z, { name: "down" })
-    ] }), title: "View", children: l(te, { part: "ViewItems" }) }),
+    ] }), title: "View", children: l(J, { part: "ViewItems" }) }),
     l("span", { class: "group wide", children: [
-      l("button", { "aria-pressed": !1, onClick: () => ee("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
-      l("button", { onClick: () => ee("inside"), title: "Inside (Shift+0)", children: "Inside" })
+      l("button", { "aria-pressed": !1, onClick: () => te("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      l("button", { onClick: () => te("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     l("span", { class: "gap" }),
     l(qt, { id: "seeing-menu", label: l(X, { children: [
       "Picture ",
       l(z, { name: "down" })
-    ] }), title: "Picture: tone, white, figures", children: l(te, { part: "SeeingItems" }) }),
+    ] }), title: "Picture: tone, white, figures", children: l(J, { part: "SeeingItems" }) }),
     l("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => ee("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => te("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
       l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(z, { name: "minus" }) }),
       l("label", { children: [
@@ -1994,7 +1994,7 @@ function wa() {
         l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
       ] }),
       l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(z, { name: "plus" }) }),
-      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(z, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => K({ do: "expose" }), children: l(z, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
@@ -2025,13 +2025,13 @@ function wa() {
 
 // src/highlight.ts
 function uo(e) {
-  xe.value = e, H({ do: "solo", lamps: e });
+  xe.value = e, K({ do: "solo", lamps: e });
 }
 function Sr(e) {
   let t = xe.peek(), n = e.every((o) => t.includes(o));
   uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var yl = () => Sr(ue.peek()), Mr = () => uo([]), bn = null;
+var wl = () => Sr(ue.peek()), Mr = () => uo([]), bn = null;
 function co(e) {
   e && bn === null && ue.peek().length ? (bn = xe.peek(), uo(ue.peek())) : !e && bn !== null && (uo(bn), bn = null);
 }
@@ -2071,15 +2071,15 @@ function po() {
 }
 
 // src/keys.ts
-var $a = g("W A S D"), Er = {
+var La = g("W A S D"), Er = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, _l = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
-function La(e) {
+}, kl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
+function Va(e) {
   let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
   if (Pr = e, !jt.size) {
     Tr = !1;
@@ -2090,18 +2090,18 @@ function La(e) {
     let [p, c, u] = Er[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, He(...Ot()) / 12), a = _l * t * ho * Math.min(i, 6);
-  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(La);
+  let i = Math.max(1, Ke(...Ht()) / 12), a = kl * t * ho * Math.min(i, 6);
+  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(Va);
 }
 function yn(e) {
-  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(La));
+  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(Va));
 }
-var wl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Sa() {
+var Sa = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Ma() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var kl = {
+var xl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2121,7 +2121,7 @@ var kl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ma = {
+}, Ca = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2129,7 +2129,7 @@ var kl = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ca = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ea = {
+}, Ea = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ta = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2138,32 +2138,36 @@ var kl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function xl(e) {
+function Sl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "g" ? e.shiftKey ? "ungroup" : "group" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function Sl() {
+function Ml() {
   G.peek() ? G.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ta(e) {
+function Pa(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
-function Pa(e) {
+function $a(e) {
   let t = oe(), n = ft();
   !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
-function Ml(e) {
+var Ia = () => !1, Cl = (e) => {
+  Ia = e;
+};
+function El(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
+  if (!Sa(e.target) && Ia(e)) return e.preventDefault();
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return Sl();
-  if (wl(e.target)) {
+  if (e.key === "Escape") return Ml();
+  if (Sa(e.target)) {
     t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (Sa() && Ta(e)) return e.preventDefault();
-    let i = xl(e);
+    if (Ma() && Pa(e)) return e.preventDefault();
+    let i = Sl(e);
     i && De(e, i);
     return;
   }
@@ -2180,14 +2184,14 @@ function Ml(e) {
     }
     if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
   }
-  let n = Sa();
-  if (n && Ta(e)) return e.preventDefault();
+  let n = Ma();
+  if (n && Pa(e)) return e.preventDefault();
   if (n && e.code in Er)
     return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Pa(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Pa(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return $a(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return $a(1 / 0.85);
   if (!er.peek()) return;
-  if (e.shiftKey && Ea[e.code]) return De(e, Ea[e.code]);
+  if (e.shiftKey && Ta[e.code]) return De(e, Ta[e.code]);
   if (mo && /^\d$/.test(e.key)) {
     e.preventDefault(), mo = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
@@ -2199,33 +2203,33 @@ function Ml(e) {
     e.preventDefault(), gr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ca[e.code]) return De(e, Ca[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Ea[e.code]) return De(e, Ea[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
-  if (o === "l" && !e.shiftKey) return void (e.repeat || ee("highlight"));
-  if (o === "p" && e.shiftKey) return Cl();
-  let r = e.shiftKey && Ma[o] ? Ma[o] : kl[o];
+  if (o === "l" && !e.shiftKey) return void (e.repeat || te("highlight"));
+  if (o === "p" && e.shiftKey) return Tl();
+  let r = e.shiftKey && Ca[o] ? Ca[o] : xl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function Cl() {
-  let [e, t] = we.peek(), n = Kt(e / 2, t / 2);
+function Tl() {
+  let [e, t] = we.peek(), n = Ot(e / 2, t / 2);
   n && Me("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
 function De(e, t) {
-  e.preventDefault(), ee(t);
+  e.preventDefault(), te(t);
 }
-function El(e) {
+function Pl(e) {
   jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
-function Va() {
-  addEventListener("keydown", Ml), addEventListener("keyup", El), addEventListener("blur", () => {
+function Aa() {
+  addEventListener("keydown", El), addEventListener("keyup", Pl), addEventListener("blur", () => {
     jt.clear(), co(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    La.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Tl(e, t) {
+function $l(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
 }
@@ -2234,12 +2238,12 @@ function Tl(e, t) {
 var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
   let t = Yn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Pl = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+}, Ll = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
 function Vr(e) {
   let t = ue.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ia(e, t, n) {
+function Ra(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2251,7 +2255,7 @@ function Ia(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Pl(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
+    this.was = this.now = Ll(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
   }
   strip;
   gesture;
@@ -2259,7 +2263,7 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ia(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ra(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
@@ -2271,7 +2275,7 @@ var _n = class {
 };
 function go(e, t) {
   let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ia(e, t, n));
+  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ra(e, t, n));
 }
 function Ir(e, t) {
   if (!e.length) return;
@@ -2291,25 +2295,25 @@ function Rr(e, t) {
 }
 
 // src/swatch.ts
-var $l = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Ll = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Vl = (e) => Math.round(255 * $l(Math.max(0, Math.min(1, e))));
-function Or(e) {
+var Vl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Il = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Al = (e) => Math.round(255 * Vl(Math.max(0, Math.min(1, e))));
+function Hr(e) {
   let t = Math.max(...e, 1e-6);
-  return Aa(e.map((n) => n / t));
+  return Ha(e.map((n) => n / t));
 }
-function Aa(e) {
-  return `#${e.map((t) => Vl(t).toString(16).padStart(2, "0")).join("")}`;
+function Ha(e) {
+  return `#${e.map((t) => Al(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Il(e) {
-  let t = (n) => Ll(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Rl(e) {
+  let t = (n) => Il(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Al = (e) => 1e6 / e;
+var Hl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ra = -1e9;
-addEventListener("scroll", () => Ra = performance.now(), { capture: !0, passive: !0 });
+var Ka = -1e9;
+addEventListener("scroll", () => Ka = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function Hr(e) {
+function Kr(e) {
   let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
@@ -2329,7 +2333,7 @@ function Hr(e) {
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
     u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Ra < 400 || c.ctrlKey) return;
+    if (performance.now() - Ka < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2370,8 +2374,8 @@ function Oa(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ha({ row: e, index: t, count: n }) {
+var Or = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Da({ row: e, index: t, count: n }) {
   let o = ne(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
   let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => xe.value.includes(_)), f = xe.value.length > 0 && !p.some((_) => xe.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
@@ -2396,25 +2400,25 @@ function Ha({ row: e, index: t, count: n }) {
       children: [
         l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(z, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(z, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Fa(e.id), children: l(z, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Or(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Kr(i), children: [
+            i && !i.free && l("small", { class: "traced", title: Or(i), children: [
               "↻",
               l("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
           i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
+            l("i", { class: "swatch", style: { background: Hr(i.swatch) } }),
             Oa(i)
           ] }),
           l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(z, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
-            Hr,
+            Kr,
             {
               label: `${s.name} level`,
               class: "level",
@@ -2452,7 +2456,7 @@ function Ha({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Da = 4;
+var Na = 4;
 function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = ne(null), s = nt(0), p = nt(600);
   Ee(() => {
@@ -2464,12 +2468,12 @@ function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Da), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Da);
+  let c = Math.max(0, Math.floor(s.value / t) - Na), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Na);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() => {
+var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), ja = N(() => {
   let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (yo.value !== "group" && Lt.value === "sheet") {
     let s = yo.value, p = [...r];
@@ -2489,18 +2493,18 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Fa = !1;
+}), qa = !1;
 D.ids.subscribe((e) => {
-  Fa || !e.length || (Fa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  qa || !e.length || (qa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ka(e) {
+function Fa(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
 function Dr(e, t, n) {
-  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? oa(t, ja.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Rl(e) {
+function Kl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
@@ -2508,9 +2512,9 @@ function Rl(e) {
   o[o.indexOf(n) + t]?.focus();
 }
 var Ol = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function qa() {
-  let e = Na.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Rl, children: [
+function Ua() {
+  let e = ja.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Kl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2550,7 +2554,7 @@ function qa() {
         ] })
       ] })
     ] }),
-    r && l(te, { part: "SheetHead" }),
+    r && l(J, { part: "SheetHead" }),
     l(
       Fr,
       {
@@ -2559,7 +2563,7 @@ function qa() {
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? wr("SheetRow") : Ha;
+          let a = e[i], s = r ? wr("SheetRow") : Da;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2567,18 +2571,18 @@ function qa() {
     ue.value.length > 1 && l("p", { class: "several", children: [
       ue.value.length,
       " selected; a fader moves them in proportion",
-      P.value?.kind === "lamp" && l("button", { onClick: () => ee("group"), children: "Group" }),
-      l("button", { onClick: () => ee("none"), children: "None" })
+      P.value?.kind === "lamp" && l("button", { onClick: () => te("group"), children: "Group" }),
+      l("button", { onClick: () => te("none"), children: "None" })
     ] }),
     !e.length && M.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Pe.value?.stage ?? "loading"), ja = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Pe.value?.stage ?? "loading"), Wa = g(!1), wn = 0;
 T(() => {
   let e = Pe.value?.fps ?? 0;
-  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, ja.value = wn > 0 && performance.now() - wn > 2e3;
+  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, Wa.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
   switch (U.value) {
@@ -2589,7 +2593,7 @@ var Wt = N(() => {
     default:
       return U.value;
   }
-  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : ja.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
+  return !ee.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : Wa.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
 });
 Se("event", (e) => {
   switch (e.what) {
@@ -2618,11 +2622,11 @@ T(() => {
 // src/probe.ts
 var _o = g(null);
 function wo(e, t, n) {
-  let o = Kt(e, t);
+  let o = Ot(e, t);
   if (!o) return n(null);
   Me("point", o, (r) => n(r.hit ? r : null));
 }
-function Ua(e) {
+function Ba(e) {
   if (!e) return "";
   let t = [], n = M.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
@@ -2633,7 +2637,7 @@ function Ua(e) {
 }
 
 // src/status.tsx
-var Wa = N(() => {
+var Ga = N(() => {
   W.value;
   let e = [];
   for (let t of ae.sent.slice(-24)) {
@@ -2643,7 +2647,7 @@ var Wa = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Hl() {
+function Dl() {
   let e = Pe.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2660,20 +2664,20 @@ function Hl() {
       return `finished${t}`;
   }
 }
-function Ba() {
+function za() {
   let e = Pe.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Hl()
+      Dl()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
     l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    Wa.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Wa.value),
+    Ga.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(Ga.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2686,7 +2690,7 @@ function Ba() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ua(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Ba(_o.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2698,28 +2702,28 @@ function Ba() {
 }
 
 // src/pointer.ts
-var Kl = 4, Ga = 35e-4, Dl = 0.15;
-function Fl(e, t, n) {
+var Fl = 4, Xa = 35e-4, Nl = 0.15;
+function ql(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function za(e, t) {
+function Ya(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
   }, d = (h, v, $) => {
-    let L = Kt(h, v);
+    let L = Ot(h, v);
     L && Me("point", L, (V) => {
       let A = V;
       A.hit && $?.(A);
     });
   }, m = (h) => {
     let v = ft();
-    return v ? Math.max(0.2, q(K(h, v.eye), v.forward)) : r;
+    return v ? Math.max(0.2, q(O(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Fl(Xn.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : ql(Xn.peek(), h.button, V);
     A === "look" && oe()?.height && (A = "pan"), G.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2751,7 +2755,7 @@ function za(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Kl)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Fl)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2764,7 +2768,7 @@ function za(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * Ga, R * A * Ga);
+          no(R * V * Xa, R * A * Xa);
           break;
         }
         case "orbit":
@@ -2814,8 +2818,8 @@ function za(e, t) {
       });
     }
     x.time = R;
-    let [is, as] = [h - A.width / 2, A.height / 2 - v], ss = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * is * A.pixel + A.up[vt] * as * A.pixel) * ss, Br = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, Br, $, Dl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
+    let [ss, ls] = [h - A.width / 2, A.height / 2 - v], us = Math.min(r, Ke(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * ss * A.pixel + A.up[vt] * ls * A.pixel) * us, Br = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Dn(V, Br, $, Nl, L)), L && Ke(V.eye, Br) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
@@ -2841,9 +2845,9 @@ function za(e, t) {
 }
 
 // src/overlay.ts
-var Nl = "http://www.w3.org/2000/svg";
+var jl = "http://www.w3.org/2000/svg";
 function ke(e, t = {}, n) {
-  let o = document.createElementNS(Nl, e);
+  let o = document.createElementNS(jl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
@@ -2873,19 +2877,19 @@ function Wr() {
   let e = W.value;
   return we.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
 }
-function Xa() {
+function Qa() {
   let e = re(Wr);
   return e ? M.all().flatMap(([t, n]) => {
-    let o = Ya(n), r = o && e.at(o);
+    let o = Ja(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ya = hr, ql = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+var Ja = hr, Ul = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 function jr(e, t) {
   let n = _t(t);
-  return ql.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Ul.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var jl = 150, Sn = class {
+var Wl = 150, Sn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2916,15 +2920,15 @@ var jl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Qa(e) {
+function Za(e) {
   let t = ke("path", { class: "aims" }, e), n = ke("path", { class: "boxes" }, e), o = ke("path", { class: "boxes hover" }, e), r = ke("path", { class: "grid-lines" }, e), i = new Sn(ke("g", {}, e), "lamp", (u) => ke("circle", { r: 4.5 }, u)), a = new Sn(ke("g", {}, e), "grid", () => {
   }), s = new Sn(ke("g", {}, e), "meter", (u) => {
     ke("circle", { r: 5.5 }, u), ke("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
     let u = Wr();
     if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= jl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Ce = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
+    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Wl, w = M.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Ce = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ja(_), fe = _.place?.position;
       if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Ce)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
@@ -2952,7 +2956,7 @@ function Qa(e) {
     })));
     let f = "";
     a.draw(qn.all().map(([b, y]) => {
-      f += Ul(u, y);
+      f += Bl(u, y);
       let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2961,18 +2965,18 @@ function Qa(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function Ja({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
+function es({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
   let p = (c, u, d) => {
     let m = be(c) > 2 * i ? i / be(c) : 0;
     return S(c, m + (1 - 2 * m) * (u + 0.5) / d);
   };
   return I(e, I(p(t, a, o), p(n, s, r)));
 }
-function Ul(e, t) {
+function Bl(e, t) {
   let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
-      let a = e.at(Ja(t, i, r));
+      let a = e.at(es(t, i, r));
       a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
     }
   return o;
@@ -2982,15 +2986,15 @@ function Ul(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Za = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Wl() {
+var ts = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Gl() {
   let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Ve("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Bl() {
+function zl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
@@ -2998,7 +3002,7 @@ function Bl() {
       let e = qr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
-        e?.file ?? Z.value?.file ?? "the scene",
+        e?.file ?? ee.value?.file ?? "the scene",
         "…",
         e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
         e?.progress != null && l("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
@@ -3014,11 +3018,11 @@ function Bl() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Za() }),
+          l("code", { children: ts() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(Za());
+          yr(ts());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3048,7 +3052,7 @@ function Bl() {
           "."
         ] }),
         " ",
-        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Take it back" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
       return l(ce, { tone: "calm", children: [
@@ -3061,7 +3065,7 @@ function Bl() {
           ] }) : "",
           "."
         ] }),
-        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Ask for control" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
       return l(ce, { tone: "calm", children: [
@@ -3080,8 +3084,8 @@ function Bl() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        rt.value.undo && l("button", { onClick: () => ee("undo"), children: "Undo" }),
-        l("button", { onClick: Wl, children: "Turn on" })
+        rt.value.undo && l("button", { onClick: () => te("undo"), children: "Undo" }),
+        l("button", { onClick: Gl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3093,10 +3097,10 @@ function Bl() {
       return null;
   }
 }
-function es() {
+function ns() {
   let e = xe.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Bl(),
+    zl(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3120,16 +3124,16 @@ function es() {
 }
 
 // src/view.tsx
-var ns = g(null);
-function Gl(e, t) {
-  let n = Xa();
+var rs = g(null);
+function Xl(e, t) {
+  let n = Qa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var zl = {
+var Yl = {
   click(e, t, n) {
-    let o = ts(e, t);
+    let o = os(e, t);
     if (G.peek() === null && o) return Ge(o.kind, o.id, n);
     wo(e, t, (r) => {
       if (r && (to.value = { point: r.point, normal: r.normal }), G.peek() !== null) return fa(r);
@@ -3145,7 +3149,7 @@ var zl = {
     fr();
   },
   hover(e, t) {
-    let n = ts(e, t);
+    let n = os(e, t);
     n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
       _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
@@ -3154,12 +3158,12 @@ var zl = {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ns.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Gl(e, t);
+    if (rs.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Xl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, G.value = null;
   }
 };
-function ts(e, t) {
+function os(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3169,7 +3173,7 @@ function ts(e, t) {
   }
   return o;
 }
-var Xl = {
+var Ql = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3177,11 +3181,11 @@ var Xl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function os() {
+function is() {
   let e = ne(null), t = ne(null), n = ne(null);
   return Ee(() => {
     Xo(t.current);
-    let o = Qa(n.current), r = za(e.current, zl);
+    let o = Za(n.current), r = Ya(e.current, Yl);
     return () => {
       Xo(null), o(), r();
     };
@@ -3197,30 +3201,31 @@ function os() {
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${Z.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
+        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
         "aria-describedby": "view-keys",
         "data-tool": G.value ?? "",
         children: [
           l("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
-          l(te, { part: "Gizmo" }),
-          l(te, { part: "Compare" }),
-          l(Yl, {})
+          l(J, { part: "Gizmo" }),
+          l(J, { part: "Compare" }),
+          l(Jl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    G.value && l("p", { class: "hint", role: "status", children: Xl[G.value] }),
-    l(es, {}),
-    l(te, { part: "Legend" }),
-    l(te, { part: "CutBar" }),
-    l(te, { part: "ViewStrip" }),
-    l(te, { part: "WalkPad" }),
-    l(te, { part: "What" })
+    G.value && l("p", { class: "hint", role: "status", children: Ql[G.value] }),
+    l(ns, {}),
+    l(J, { part: "TypedHint" }),
+    l(J, { part: "Legend" }),
+    l(J, { part: "CutBar" }),
+    l(J, { part: "ViewStrip" }),
+    l(J, { part: "WalkPad" }),
+    l(J, { part: "What" })
   ] });
 }
-function Yl() {
-  let e = ns.value;
+function Jl() {
+  let e = rs.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3235,20 +3240,20 @@ function Yl() {
 }
 
 // src/main.tsx
-function Ql() {
+function Zl() {
   return l(X, { children: [
     l(wa, {}),
-    l(qa, {}),
-    l(os, {}),
-    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(te, { part: "Inspector" }) }),
-    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(te, { part: "Strip" }) }),
-    l(Ba, {}),
-    l(te, { part: "Sheets" })
+    l(Ua, {}),
+    l(is, {}),
+    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(J, { part: "Inspector" }) }),
+    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(J, { part: "Strip" }) }),
+    l(za, {}),
+    l(J, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ai(l(Ql, {}), ht);
+ai(l(Zl, {}), ht);
 T(() => {
   ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !_e.value ? "yes" : "no";
 });
@@ -3259,15 +3264,15 @@ T(() => {
   document.documentElement.dataset.theme = Yo.value, document.documentElement.style.setProperty("--house", String(Qo.value));
 });
 T(() => {
-  Z.value && (document.title = `${Z.value.name} – Lampyris`);
+  ee.value && (document.title = `${ee.value.name} – Lampyris`);
 });
-var rs = 0;
+var as = 0;
 T(() => {
   let [e, t] = we.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(rs), rs = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(as), as = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
 va();
-Va();
+Aa();
 Gi();
 export {
   _n as Fade,
@@ -3276,17 +3281,17 @@ export {
   Be as Gesture,
   z as Icon,
   xr as Item,
-  Vs as PRESETS,
-  Hr as Range,
+  As as PRESETS,
+  Kr as Range,
   Fr as Virtual,
   ot as across,
-  ee as act,
+  te as act,
   I as add,
   dr as adding,
-  hl as allActions,
+  gl as allActions,
   Me as ask,
   pa as asked,
-  el as back,
+  nl as back,
   pn as before,
   he as camera,
   Vt as candles,
@@ -3300,48 +3305,49 @@ export {
   Ii as compass,
   N as computed,
   yr as copyText,
-  Kr as cost,
+  Or as cost,
   ge as cross,
-  Or as css,
-  al as cut,
+  Hr as css,
+  ll as cut,
   Zn as deselect,
   B as digits,
   at as display,
-  He as distance,
+  Ke as distance,
   q as dot,
-  ul as each,
+  fl as each,
   Ve as edit,
   F as editor,
   T as effect,
   so as exposeBy,
   nr as fade,
-  fl as falseColor,
-  Is as filterOf,
+  dl as falseColor,
+  Rs as filterOf,
   We as fine,
   hn as fitted,
   vn as format,
-  tl as forth,
+  ol as forth,
   fr as frameSelection,
   ro as free,
-  Il as fromHex,
+  Rl as fromHex,
   Q as go,
   pr as goHome,
-  il as goInside,
-  rl as goPreset,
-  Ja as gridPoint,
+  sl as goInside,
+  al as goPreset,
+  es as gridPoint,
   qn as grids,
   D as groups,
-  Qs as handles,
+  Zs as handles,
   Xn as hands,
   Se as hear,
   oe as here,
-  Aa as hex,
+  Ha as hex,
   co as highlight,
   rt as history,
   Qo as houseLights,
   me as hovered,
   l as jsx,
   l as jsxs,
+  Cl as keysFirst,
   tr as lampMarks,
   M as lamps,
   sn as layers,
@@ -3351,16 +3357,16 @@ export {
   Mt as looks,
   Uo as lumensOf,
   dt as luxText,
-  js as maintenance,
+  Ws as maintenance,
   xt as materials,
   Ct as meters,
   qe as middle,
-  Al as mired,
+  Hl as mired,
   ra as nameOf,
-  J as normal,
-  ll as onTool,
+  Z as normal,
+  cl as onTool,
   st as output,
-  Tl as padWalk,
+  $l as padWalk,
   Zo as panels,
   Qn as penless,
   Re as percent,
@@ -3368,32 +3374,32 @@ export {
   wt as pinhole,
   hr as positionOf,
   tn as project,
-  Ls as ray,
-  ml as register,
+  Is as ray,
+  vl as register,
   pe as role,
   le as say,
   S as scale,
-  Z as scene,
+  ee as scene,
   Ge as select,
   P as selection,
-  H as send,
-  sl as setCut,
+  K as send,
+  ul as setCut,
   pt as sheet,
   At as show,
   W as shown,
   g as signal,
   er as singleKeys,
-  yl as soloSelection,
+  wl as soloSelection,
   to as spot,
   mr as startTool,
   Pe as status,
-  Gs as step,
-  Js as stepSelection,
-  dl as storeLook,
-  pl as storeView,
+  Xs as step,
+  el as stepSelection,
+  hl as storeLook,
+  ml as storeView,
   rr as stroke,
   go as strokeLevel,
-  K as sub,
+  O as sub,
   Rr as switchOn,
   Yo as theme,
   ye as things,
@@ -3402,7 +3408,7 @@ export {
   Lr as toLevel,
   $r as toTravel,
   br as toggleFalse,
-  Ys as toggleWipe,
+  Js as toggleWipe,
   G as tool,
   Yn as travel,
   en as turn,
@@ -3411,17 +3417,17 @@ export {
   re as untracked,
   Ie as up,
   Ee as useEffect,
-  gs as useLayoutEffect,
+  ys as useLayoutEffect,
   ne as useRef,
-  Ht as viewName,
+  Kt as viewName,
   we as viewSize,
   St as views,
-  $a as walkNames,
+  La as walkNames,
   Jo as walking,
   gr as wantLevel,
   Ye as what,
   Jn as whyNot,
   _r as whyNotTo,
-  zs as wipeAt,
-  Us as workPlane
+  Ys as wipeAt,
+  Bs as workPlane
 };

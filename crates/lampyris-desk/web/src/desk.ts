@@ -15,7 +15,7 @@ export { shown } from './frames';
 export { edit, Gesture, penless, show, step, stroke, whyNot } from './gesture';
 export { clearSolo, highlight, soloSelection } from './highlight';
 export { Icon } from './icon';
-export { padWalk, walkNames } from './keys';
+export { keysFirst, padWalk, walkNames } from './keys';
 export { pickRow, type Row } from './lamps';
 export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLevel, type Strip } from './levels';
 export { closeWhat, what } from './lights';

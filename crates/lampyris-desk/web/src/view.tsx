@@ -134,6 +134,7 @@ export function View() {
             </p>
             {tool.value && <p class="hint" role="status">{TOOL_WORDS[tool.value]}</p>}
             <Banner />
+            <Later part="TypedHint" />
             <Later part="Legend" />
             <Later part="CutBar" />
             <Later part="ViewStrip" />

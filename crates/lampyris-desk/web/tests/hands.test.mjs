@@ -101,6 +101,38 @@ test('groups: made of those selected, named, dimmed by a master, left, and disso
     await page.context().close();
 });
 
+test('G and R, an axis, digits: what is typed is done at once, Enter keeps it, Escape takes it back', async () => {
+    const { page, heard, until, complaints } = await desk();
+    await page.locator('[data-row="lamp-3"] .row-name').click();
+    await page.waitForSelector('[data-handle="move-z"]', { state: 'attached' });
+    await page.locator('#view').focus();
+    const hint = () => page.locator('.hint').innerText();
+    const place = () => heard('set').at(-1)?.patch.lamps?.[3].place;
+    const from = state().lamps[3].place.position;
+    for (const key of ['g', 'z', '-', '0', '.', '5']) await page.keyboard.press(key);
+    assert.match(await hint(), /Move along Z: -0\.5 m/);
+    await until(() => Math.abs(place()?.position[2] - (from[2] - 0.5)) < 1e-9, 'not moved down');
+    // Another axis takes the number along; what was moved before comes back.
+    await page.keyboard.press('x');
+    await until(() => Math.abs(place().position[0] - (from[0] - 0.5)) < 1e-9 && Math.abs(place().position[2] - from[2]) < 1e-9, 'not moved along X instead');
+    assert.equal(heard('end').length, 0);
+    await page.keyboard.press('Enter');
+    await until(() => heard('end').length === 1, 'not kept');
+    assert.match(heard('begin')[0].label, /Move Lamp 3/);
+    await page.waitForSelector('.hint', { state: 'detached' });
+    for (const key of ['r', 'y', '9', '0', '0', 'Backspace']) await page.keyboard.press(key);
+    assert.match(await hint(), /Turn about Y: 90°/);
+    await until(() => Math.abs(Math.abs(place().direction?.[0]) - 1) < 1e-9, 'not turned');
+    await page.keyboard.press('Escape');
+    await until(() => heard('cancel').length === 1, 'not taken back');
+    // What is selected stays so, and without an axis digits are a level.
+    assert.equal(await page.locator('[data-row="lamp-3"] .row-name').getAttribute('aria-pressed'), 'true');
+    for (const key of ['g', '4']) await page.keyboard.press(key);
+    await page.waitForFunction(() => document.activeElement?.id === 'level');
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+});
+
 test('Tab reaches every control that is seen, and focus is never lost', async () => {
     const { page } = await desk();
     const seen = new Set();

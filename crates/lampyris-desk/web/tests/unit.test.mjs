@@ -6,7 +6,7 @@ import { browserless, load } from './bundle.mjs';
 
 browserless();
 const page = await load('units', 'camera', 'vec', 'swatch', 'overlay');
-const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/area', 'later/verdict');
+const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/area', 'later/verdict', 'later/typed');
 
 const near = (a, b, within = 1e-9) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 const nearVec = (a, b, within = 1e-9) => a.forEach((v, k) => near(v, b[k], within));
@@ -258,6 +258,21 @@ test('points of an area are in the middle of their cells, within the border wher
     nearVec(page.gridPoint(grid, 0, 0), [2, 2.2, 3]);
     nearVec(page.gridPoint(grid, 2, 1), [4, 2.6, 3]);
     nearVec(page.gridPoint({ ...grid, border: undefined }, 0, 0), [1 + 4 / 6, 2.2, 3]);
+});
+
+test('axes and digits are found on every keyboard', () => {
+    const cases = [
+        // English; German, where Z and Y have each other's places; French, whose digits want Shift; Russian and Greek.
+        ['x', 'KeyX', { axis: 0 }], ['Y', 'KeyY', { axis: 1 }], ['z', 'KeyZ', { axis: 2 }], ['z', 'KeyY', { axis: 2 }], ['y', 'KeyZ', { axis: 1 }],
+        ['z', 'KeyW', { axis: 2 }], ['w', 'KeyZ', {}], ['&', 'Digit1', { sign: '1' }], ['1', 'Digit1', { sign: '1' }], ['-', 'Digit6', { sign: '-' }],
+        ['ч', 'KeyX', { axis: 0 }], ['я', 'KeyZ', { axis: 2 }], ['χ', 'KeyX', { axis: 0 }], ['7', 'Numpad7', { sign: '7' }], [',', 'NumpadDecimal', { sign: '.' }],
+        ['.', 'Period', { sign: '.' }], ['-', 'Slash', { sign: '-' }], ['Enter', 'NumpadEnter', { does: 'keep' }], ['Escape', 'Escape', { does: 'leave' }],
+        ['Backspace', 'Backspace', { does: 'back' }], ['a', 'KeyQ', {}], ['ArrowUp', 'ArrowUp', {}], ['Tab', 'Tab', {}],
+    ];
+    for (const [key, code, expected] of cases) assert.deepEqual(later.strokeOf({ key, code }), expected, `${key} on ${code}`);
+    for (const [signs, value] of [['1.5', 1.5], ['-.25', -0.25], ['5-', -5], ['-5-', 5], ['1..5', 1.5], ['-', 0], ['.', 0], ['', 0], ['-30', -30], ['123456789012', 123456789]]) {
+        assert.equal(later.numberIn([...signs].reduce(later.typedOn, '')), value, signs);
+    }
 });
 
 test('a verdict waits until the ± allows it, and is the plain comparison when figures are final', () => {

@@ -2,13 +2,14 @@
 
 import {
     adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
-    exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
+    exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, hands, here,
     highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, say, scene, selection, send,
     sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
     toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
     type Preset,
 } from '../desk';
 import { group, ungroup, whyNotGroup, whyNotUngroup } from './grouping';
+import { startTyped } from './typed';
 import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
 const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
@@ -82,8 +83,8 @@ const list: Action[] = [
     { id: 'aim', group: 'Lamps', label: 'Aim by pointing', keys: 'T', run: () => startTool('aim'), why: needLamp },
     { id: 'aim-here', group: 'Lamps', label: 'Aim at the point under the pointer', keys: 'Shift+T', run: () => spot.peek() && aim(chosenLamps.peek(), spot.peek()!.point), why: needLamp },
     { id: 'place', group: 'Lamps', label: 'Put on a surface by pointing', keys: 'Shift+N', run: () => startTool('place'), why: needLamp },
-    { id: 'move', group: 'Lamps', label: 'Handles to move', keys: 'G', run: () => (handles.value = 'move') },
-    { id: 'turn', group: 'Lamps', label: 'Handles to turn', keys: 'R', run: () => (handles.value = 'turn') },
+    { id: 'move', group: 'Lamps', label: 'Move: handles, or an axis and metres', keys: 'G, then X Y Z, 0.5', run: () => startTyped('move') },
+    { id: 'turn', group: 'Lamps', label: 'Turn: handles, or an axis and degrees', keys: 'R, then X Y Z, 30', run: () => startTyped('turn') },
     ...KINDS.map(([kind, name]) => ({
         id: `add-${kind}`, group: 'Lamps', label: `Add a ${name} lamp by pointing`, keys: kind === 'spot' ? 'N' : undefined, why: whyNot,
         run: () => {

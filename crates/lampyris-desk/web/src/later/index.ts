@@ -10,6 +10,7 @@ export { Sheets } from './sheets';
 export { SheetHead, SheetRow } from './sheetrow';
 export { Strip } from './strip';
 export { PageItems, SeeingItems, ViewItems } from './menus';
+export { TypedHint } from './typed';
 export { CutBar, ViewStrip } from './views';
 export { WalkPad } from './walkpad';
 export { What } from './what';
