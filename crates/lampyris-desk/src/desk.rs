@@ -485,7 +485,7 @@ impl Desk {
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(&patch).map(|()| false),
-            Do::Reach => self.reach(seq),
+            Do::Reach { maintenance } => self.reach(seq, maintenance),
             Do::Expose => {
                 self.show.ev = None;
                 self.screen.show(self.show.clone());

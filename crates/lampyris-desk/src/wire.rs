@@ -49,7 +49,7 @@ pub(crate) enum Do {
     Solo { lamps: Vec<u32> },
     Display { patch: Box<Value> },
     Expose,
-    Reach,
+    Reach { maintenance: f64 },
     Look { id: Option<u32>, name: Option<String>, what: String, seconds: f32 },
     Save { name: Option<String> },
     Edit { take: bool },
@@ -167,7 +167,13 @@ impl Do {
             "solo" => Do::Solo { lamps: fields.remove("lamps").map_or(Ok(Vec::new()), of)? },
             "display" => Do::Display { patch: field(&mut fields, "patch")? },
             "expose" => Do::Expose,
-            "reach" => Do::Reach,
+            "reach" => {
+                let maintenance = fields.remove("maintenance").map_or(Ok(1.0), of)?;
+                if !(maintenance > 0.0 && maintenance <= 1.0) {
+                    return Err("a maintenance factor lies between 0 and 1".into());
+                }
+                Do::Reach { maintenance }
+            }
             "look" => {
                 let ALook { id, name: called, what, seconds } = all(fields)?;
                 let seconds = if seconds.is_finite() { seconds.clamp(0.0, 3600.0) } else { 0.0 };

@@ -16,7 +16,7 @@ use lampyris::world::World;
 use std::path::Path;
 use std::sync::Arc;
 
-const VALID: [&str; 28] = [
+const VALID: [&str; 29] = [
     r#"{"do":"size","seq":2,"width":640,"height":480}"#,
     r#"{"do":"camera","seq":3,"eye":[0,0,1.6],"target":[1,0,1.6],"up":[0,0,1],"fov":60,"height":5,"near":0.5}"#,
     r#"{"do":"ask","seq":4,"id":1,"what":"point","frame":7,"x":10,"y":20.5}"#,
@@ -44,6 +44,7 @@ const VALID: [&str; 28] = [
     r#"{"do":"look","seq":11,"what":"recall","id":0,"seconds":2}"#,
     r#"{"do":"display","seq":12,"patch":{"ev":3,"tone":"filmic","white":{"kelvin":4000,"tint":1},"false_color":{"quantity":"lux","low":1,"high":500,"scale":"log","palette":"viridis","lines":5}}}"#,
     r#"{"do":"solo","seq":13,"lamps":[0]}"#,
+    r#"{"do":"reach","seq":14,"maintenance":0.8}"#,
     r#"{"do":"undo","seq":14}"#,
 ];
 

@@ -12,9 +12,10 @@ const PULL: f64 = 1e-3;
 const FULL: f32 = 1.0;
 
 impl Desk {
-    /// Levels by which the meters that have a target come nearest to it.
-    pub(super) fn reach(&mut self, seq: u32) -> Result<bool, String> {
-        let (rows, targets) = self.layout.wanted(&self.model.notes, &self.by_layer);
+    /// Levels by which the meters that have a target come nearest to it once so much of their light is left.
+    pub(super) fn reach(&mut self, seq: u32, maintenance: f64) -> Result<bool, String> {
+        let (rows, mut targets) = self.layout.wanted(&self.model.notes, &self.by_layer);
+        targets.iter_mut().for_each(|target| *target /= maintenance);
         if targets.is_empty() {
             return Err("no meter and no area has a target, or they are not measured yet".into());
         }

@@ -1,77 +1,77 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, cs, Gt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], fs = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var C, ei, Co, Ne, So, Vn, ti, $n, ni, Eo, Mo, ps, Bt = /* @__PURE__ */ Symbol.for("pv"), In = {}, Rn = [], ds = /^m(i|n|o|s|text|space)$/, To = Array.isArray, Po = Rn.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function Zr(e, t, n) {
+function oi(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
+  return s > 2 && (a.children = s > 3 ? Po.call(arguments, 2) : n), Wt(e, a, o, r, null);
 }
-function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Gt, __v: r || ++Yr, __i: -1, __u: 0 };
-  return !r && E.vnode && E.vnode(i), i;
+function Wt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++ei, __i: -1, __u: 0 };
+  return !r && C.vnode && C.vnode(i), i;
 }
-function X(e) {
+function Y(e) {
   return e.children;
 }
-function gt(e, t) {
+function vt(e, t) {
   this.props = e, this.context = t, this.__g = 0;
 }
-function Ne(e, t) {
-  if (t == null) return e.__ && Ne(e.__, e.__i + 1);
+function qe(e, t) {
+  if (t == null) return e.__ && qe(e.__, e.__i + 1);
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
-  return typeof e.type != "function" || e.props.__P ? null : Ne(e);
+  return typeof e.type != "function" || e.props.__P ? null : qe(e);
 }
-function ps(e) {
+function ms(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: Gt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
+  a && ((t = et({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), $o(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ui(r, t, i), n.__ = n.__e = null, t.__e != o && ri(t));
 }
-function ei(e) {
+function ri(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), ei(e);
+  }), ri(e);
 }
-function zr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ti);
+function Jr(e) {
+  (8 & e.__g || (e.__g |= 8, Ne.push(e), Vn++)) && So == C.debounceRendering || ((So = C.debounceRendering) || queueMicrotask)(ii);
 }
-function ti() {
+function ii() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && ps(e);
+    for (var e, t = 1; Ne.length; ) Ne.length > t && Ne.sort(ti), e = Ne.shift(), t = Ne.length, 8 & e.__g && ms(e);
   } finally {
-    (Tn = Fe.length) && (xo || queueMicrotask)(ti);
+    (Vn = Ne.length) && (So || queueMicrotask)(ii);
   }
 }
-function ni(e, t, n, o, r, i, a, s, p, c, u) {
-  var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = ds(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+function ai(e, t, n, o, r, i, a, s, p, u, c) {
+  var d, m, f, b, y, x, S = o.__k || Rn, w = t.length;
+  for (p = hs(n, t, S, p, w), d = 0; d < w; d++) (f = n.__k[d]) != null && (m = ~f.__i && S[f.__i] || In, f.__i = d, x = $o(e, f, m, r, i, a, s, p, u, c), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Lo(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = si(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? p = x : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function ds(e, t, n, o, r) {
-  var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === Gt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ms(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
-  if (x) {
-    for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
-      for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
-      u[w] = a.__i, d[i] = w + 1;
+function hs(e, t, n, o, r) {
+  var i, a, s, p, u, c, d, m, f, b = n.length, y = b, x = 0, S = 0, w = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = w[i] = Wt(null, a) : To(a) ? a = w[i] = Wt(Y, { children: a }) : a.constructor === Bt && a.__b ? a = w[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : w[i] = a, p = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(u = a.__i = vs(a, n, p, y)) && (y--, (s = n[u]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, u == p - 1 ? x-- : u == p + 1 ? x++ : u != p && (u > p ? x-- : x++, S = 1)) : (~u || (r > b ? x-- : r < b && x++), typeof a.type != "function" && (a.__u |= 4))) : w[i] = null;
+  if (S) {
+    for (c = [], d = [], i = 0; i < r; i++) if ((a = w[i]) && 16 & a.__u) {
+      for (x = 0, m = c.length; x < m; ) c[f = x + m >> 1] < a.__i ? x = f + 1 : m = f;
+      c[x] = a.__i, d[i] = x + 1;
     }
-    for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : k[i].__u |= 4);
+    for (x = c.length; i--; ) d[i] && (d[i] == x ? x-- : w[i].__u |= 4);
   }
-  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), Vo(s, s));
   return o;
 }
-function oi(e, t, n, o) {
+function si(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = oi(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = si(r[i], t, n, !1));
     return t;
   }
-  for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
+  for (t && !t.parentNode && (t = qe(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function ms(e, t, n, o) {
+function vs(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function ms(e, t, n, o) {
   }
   return -1;
 }
-function Xr(e, t, n) {
+function Zr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
-function Mn(e, t, n, o, r) {
+function Pn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Zr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Zr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = hs(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Mo[t] || (Mo[t] = gs(t)), (e.__a || (e.__a = {}))[t] = Eo, i = t != (t = t.replace(ni, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,65 +101,65 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function hs(e) {
+function gs(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[Cn] == null) t[Cn] = Co++;
-      else if (t[Cn] < this.__a[e]) return;
-      return n(E.event ? E.event(t) : t);
+      if (n = n[e], t[$n] == null) t[$n] = Eo++;
+      else if (t[$n] < this.__a[e]) return;
+      return n(C.event ? C.event(t) : t);
     }
   };
 }
-function Po(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k, _, C, Ce, Je, fe, ve, h, v, $, L = t.type;
-  if (t.constructor !== Gt) return null;
-  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = En(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
-  e: if (typeof L == "function") {
+function $o(e, t, n, o, r, i, a, s, p, u) {
+  var c, d, m, f, b, y, x, S, w, M, I, Me, Je, fe, ve, h, v, T, P = t.type;
+  if (t.constructor !== Bt) return null;
+  128 & n.__u && (p = 32 & n.__u, c = n.__c.__z) && (t.__u |= p, d = i = [], c.nodeType == 8 ? s = Ln(c, i) : i.push(c), s = i[0] || s), (c = C.__b) && c(t);
+  e: if (typeof P == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = gs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
-        if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
-          t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
-            V && (V.__ = t);
-          }), $n.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = Ne(n);
+      if (S = t.props, w = (c = P.prototype) && c.render, M = (c = P.contextType) && o[c.__c], I = c ? M ? M.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (w ? t.__c = f = new P(S, I) : (t.__c = f = new vt(S, I), f.constructor = P, f.render = ys), M && M.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), w && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, P.getDerivedStateFromProps(S, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+        if (S !== b && w && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(S, I), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(S, f.__s, I) === !1) {
+          t.__v != n.__v && (f.props = S, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function($) {
+            $ && ($.__ = t);
+          }), Rn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = qe(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(x, f.__s, C), k && f.componentDidUpdate && f.__h.push(function() {
-          f.componentDidUpdate(b, y, w);
+        f.componentWillUpdate && f.componentWillUpdate(S, f.__s, I), w && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(b, y, x);
         });
-      } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Ce = E.__r, Je = k ? 25 : 0;
+      } else w && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), w && f.componentDidMount && f.__h.push(f.componentDidMount);
+      f.context = I, f.props = S, f.__P = e, f.__g &= -5, Me = C.__r, Je = w ? 25 : 0;
       do
-        f.__g &= -9, Ce && Ce(t), u = f.render(f.props, f.state = f.__s, f.context);
+        f.__g &= -9, Me && Me(t), c = f.render(f.props, f.state = f.__s, f.context);
       while (8 & f.__g && ++Je < 25);
-      k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
-        V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ni(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch (V) {
-      if (a.length = m, t.__v = null, p || i) if (V && V.then) {
+      w && (Rn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), w && n.__c && f.getSnapshotBeforeUpdate && (x = f.getSnapshotBeforeUpdate(b, y)), fe = c && c.type === Y && c.key == null ? c.props.children : c, S.__P && (c = s, r = (e = S.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function($) {
+        $ && Vo($, $);
+      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = ai(e, To(fe) ? fe : [fe], t, n, o, r, i, a, s, p, u), S.__P && (t.__e = null, s = c), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch ($) {
+      if (a.length = m, t.__v = null, p || i) if ($ && $.then) {
         if (t.__u |= 128 | p, i) {
-          for (~(v = i.indexOf(s || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
-            if ($ == h) break;
+          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (T = i[v - 1]) && T.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if (T = i[v]) if (i[v] = null, ve) {
+            if (T == h) break;
           } else {
-            if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = En(ve = $));
+            if (T.nodeType != 8) break;
+            T.data.startsWith("$s") && (h = Ln(ve = T));
           }
         }
         if (!ve) {
           for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
           ve = s;
         }
-        (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
+        (c = Ln(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = c) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), $ && $.then || li(t), C.__e($, t, n);
     }
-  } else s = t.__e = vs(n.__e, t, n, o, r, i, a, p, c, e);
-  return (u = E.diffed) && u(t), s;
+  } else s = t.__e = bs(n.__e, t, n, o, r, i, a, p, u, e);
+  return (c = C.diffed) && c(t), s;
 }
-function En(e, t) {
+function Ln(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
     if (e.nodeType == 8) {
       if (e.data.startsWith("$s")) n++;
@@ -168,69 +168,69 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function ri(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ri));
+function li(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(li));
 }
-function ii(e, t, n) {
-  for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
-  E.__c && E.__c(t, e), e.some(function(r) {
+function ui(e, t, n) {
+  for (var o = 0; o < n.length; ) Lo(n[o++], n[o++], n[o++]);
+  C.__c && C.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
         i.call(r);
       });
     } catch (i) {
-      E.__e(i, r.__v);
+      C.__e(i, r.__v);
     }
   });
 }
-function vs(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
-  if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
-      e = b, i[u] = null;
+function bs(e, t, n, o, r, i, a, s, p, u) {
+  var c, d, m, f, b, y, x, S, w = n.props || In, M = t.props, I = t.type;
+  if (I == "svg" ? r = "http://www.w3.org/2000/svg" : I == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (c = 0; c < i.length; c++) if ((b = i[c]) && (I ? b.localName == I : b.nodeType == 3)) {
+      e = b, i[c] = null;
       break;
     }
   }
   if (!e) {
-    if (x = c.ownerDocument || document, !C) return x.createTextNode(_);
-    e = x.createElementNS(r, C, _.is ? _ : c), s && (E.__m && E.__m(t, i), s = !1), i = null;
+    if (S = u.ownerDocument || document, !I) return S.createTextNode(M);
+    e = S.createElementNS(r, I, M.is ? M : u), s && (C.__m && C.__m(t, i), s = !1), i = null;
   }
-  if (C) {
-    if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
-    for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
-    for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && fs.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
-  } else k === _ || s && e.data == _ || (e.data = _);
+  if (I) {
+    if (u = I == "template" && e.content || e, i = I == "textarea" && M.defaultValue != null ? null : i && Po.call(u.childNodes), !s && i) for (w = {}, c = 0; c < e.attributes.length; c++) w[(b = e.attributes[c]).name] = b.value;
+    for (c in w) b = w[c], c == "dangerouslySetInnerHTML" ? m = b : c == "children" || c in M || c == "value" && "defaultValue" in M || c == "checked" && "defaultChecked" in M || Pn(e, c, null, b, r);
+    for (c in M) b = M[c], c == "children" ? f = b : c == "dangerouslySetInnerHTML" ? d = b : c == "value" ? y = b : c == "checked" ? x = b : s && typeof b != "function" || w[c] === b || Pn(e, c, b, w[c], r);
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (I == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ds.test(I)) && (r = "http://www.w3.org/1999/xhtml"), ai(u, To(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(Ze)), s && I != "textarea" || (c = "value", I == "progress" && y == null ? e.removeAttribute(c) : y == null || y === e[c] && (I != "progress" || y) || Pn(e, c, y, w[c], r), c = "checked", x != null && x != e[c] && Pn(e, c, x, w[c], r));
+  } else w === M || s && e.data == M || (e.data = M);
   return e;
 }
-function $o(e, t, n, o) {
+function Lo(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
-    E.__e(r, n);
+    C.__e(r, n);
   }
 }
-function Lo(e, t, n) {
+function Vo(e, t, n) {
   var o, r, i, a;
-  if (E.unmount && E.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || $o(o, null, t, e), o = e.__c) {
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Lo(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (s) {
-      E.__e(s, t);
+      C.__e(s, t);
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Vo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = Ln(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function gs(e, t, n) {
+function ys(e, t, n) {
   return this.constructor(e, n);
 }
-function ai(e, t) {
+function ci(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ii(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(Y, { children: [e] }), r = [], i = [], $o(t, t.__k, o || In, In, t.namespaceURI, o ? null : t.firstChild ? Po.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ui(r, t.__k, i), t.__k.props.children = null;
 }
-E = { __e: function(e, t, n, o) {
+C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
     r.__g |= 4;
     try {
@@ -239,90 +239,90 @@ E = { __e: function(e, t, n, o) {
       e = s;
     }
   }
-  throw Tn = 0, e;
-} }, Yr = 0, Mo = function(e) {
-  return e != null && e.constructor === Gt;
-}, gt.prototype.setState = function(e, t) {
+  throw Vn = 0, e;
+} }, ei = 0, Co = function(e) {
+  return e != null && e.constructor === Bt;
+}, vt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), zr(this)));
-}, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), zr(this));
-}, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Jr(this)));
+}, vt.prototype.forceUpdate = function(e) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Jr(this));
+}, vt.prototype.render = Y, Ne = [], Vn = 0, ti = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, cs = 0;
+}, $n = /* @__PURE__ */ Symbol(), ni = /(PointerCapture)$|Capture$/i, Eo = 0, Mo = {}, ps = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, ie, Vo, si, bs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
-function Ho(e, t) {
-  j.__h && j.__h(ie, e, Io || t), Io = 0;
-  var n = ie.__H || (ie.__H = { __: [], __h: [] });
+var zt, re, Io, fi, _s = Object.is, Ro = 0, _i = [], Ao = [], U = C, pi = U.__b, di = U.__r, mi = U.diffed, hi = U.__c, vi = U.unmount, gi = U.__;
+function Ko(e, t) {
+  U.__h && U.__h(re, e, Ro || t), Ro = 0;
+  var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
-function Ee(e, t) {
-  var n = Ho(Xt++, 3);
-  !j.__s && Ko(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, ie.__H.__h.push(n));
+function Ce(e, t) {
+  var n = Ko(zt++, 3);
+  !U.__s && Oo(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function ys(e, t) {
-  var n = Ho(Xt++, 4);
-  !j.__s && Ko(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, ie.__h.push(n));
+function ws(e, t) {
+  var n = Ko(zt++, 4);
+  !U.__s && Oo(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
 function ne(e) {
-  return Io = 5, Ln(function() {
+  return Ro = 5, An(function() {
     return { current: e };
   }, []);
 }
-function Ln(e, t) {
-  var n = Ho(Xt++, 7);
-  return Ko(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+function An(e, t) {
+  var n = Ko(zt++, 7);
+  return Oo(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function _s() {
+function ks() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
-      zt(e);
+      Gt(e);
     } catch (n) {
-      j.__e(n, { __: (e = e.__P) && e.__v });
+      U.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = vi.shift(); ) {
+    for (; e = _i.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
-        t.__h.some(zt), t.__h.some(Ro), t.__h = [];
+        t.__h.some(Gt), t.__h.some(Ho), t.__h = [];
       } catch (n) {
-        t.__h = [], j.__e(n, e.__v);
+        t.__h = [], U.__e(n, e.__v);
       }
     }
   } while (Ao.length);
 }
-j.__b = function(e) {
-  ie = null, li && li(e);
-}, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), di && di(e, t);
-}, j.__r = function(e) {
-  ui && ui(e), Xt = 0;
-  var t = (ie = e.__c).__H;
-  t && (Vo == ie ? ie.__h = [] : (t.__h.some(zt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
+U.__b = function(e) {
+  re = null, pi && pi(e);
+}, U.__ = function(e, t) {
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), gi && gi(e, t);
+}, U.__r = function(e) {
+  di && di(e), zt = 0;
+  var t = (re = e.__c).__H;
+  t && (Io == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ho), zt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Vo = ie;
-}, j.diffed = function(e) {
-  ci && ci(e);
+  })), Io = re;
+}, U.diffed = function(e) {
+  mi && mi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && hi(vi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && yi(_i.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Vo = ie = null;
-}, j.__c = function(e, t) {
+  })), Io = re = null;
+}, U.__c = function(e, t) {
   t.some(function(n) {
     try {
-      n.__h.some(zt), n.__h = n.__h.filter(function(o) {
-        return !o.__ || Ro(o);
+      n.__h.some(Gt), n.__h = n.__h.filter(function(o) {
+        return !o.__ || Ho(o);
       });
     } catch (o) {
       n.__h = [function() {
         throw o;
       }];
     }
-  }), fi && fi(e, t);
-}, j.unmount = function(e) {
-  pi && pi(e);
+  }), hi && hi(e, t);
+}, U.unmount = function(e) {
+  vi && vi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,56 +331,56 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, hi(Ao.push(r));
-      } else zt(r);
+        r.__P = n, yi(Ao.push(r));
+      } else Gt(r);
     } catch (i) {
       t = i;
     }
-  }), o.__H = void 0, t && j.__e(t, o.__v));
+  }), o.__H = void 0, t && U.__e(t, o.__v));
 };
-var mi = typeof requestAnimationFrame == "function";
-function ws(e) {
+var bi = typeof requestAnimationFrame == "function";
+function xs(e) {
   var t, n = function() {
-    clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), bi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  mi && (t = requestAnimationFrame(n));
+  bi && (t = requestAnimationFrame(n));
 }
-function hi(e) {
-  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || ws)(_s);
+function yi(e) {
+  e != 1 && fi == U.requestAnimationFrame || ((fi = U.requestAnimationFrame) || xs)(ks);
 }
-function zt(e) {
-  var t = ie, n = e.__c;
-  typeof n == "function" && (e.__c = void 0, n()), ie = t;
+function Gt(e) {
+  var t = re, n = e.__c;
+  typeof n == "function" && (e.__c = void 0, n()), re = t;
 }
-function Ro(e) {
-  var t = ie;
-  e.__c = e.__(), ie = t;
+function Ho(e) {
+  var t = re;
+  e.__c = e.__(), re = t;
 }
-function Ko(e, t) {
+function Oo(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !bs(n, e[o]);
+    return !_s(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ks = /* @__PURE__ */ Symbol.for("preact-signals");
-function Rn() {
-  if (He > 1)
-    He--;
+var Ss = /* @__PURE__ */ Symbol.for("preact-signals");
+function Dn() {
+  if (Ae > 1)
+    Ae--;
   else {
     var e, t = !1;
     for ((function() {
-      var r = In;
-      for (In = void 0; r !== void 0; ) {
+      var r = Kn;
+      for (Kn = void 0; r !== void 0; ) {
         var i = r.S;
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
-    })(); Qt !== void 0; ) {
-      var n = Qt;
-      for (Qt = void 0, Vn++; n !== void 0; ) {
+    })(); Yt !== void 0; ) {
+      var n = Yt;
+      for (Yt = void 0, Hn++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && bi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && ki(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -388,30 +388,30 @@ function Rn() {
         n = o;
       }
     }
-    if (Vn = 0, He--, t) throw e;
+    if (Hn = 0, Ae--, t) throw e;
   }
 }
-function Hn(e) {
-  if (He > 0) return e();
-  Oo = ++xs, He++;
+function Fn(e) {
+  if (Ae > 0) return e();
+  Do = ++Ms, Ae++;
   try {
     return e();
   } finally {
-    Rn();
+    Dn();
   }
 }
-var Yt, H = void 0;
-function re(e) {
-  var t = H, n = Yt;
-  H = void 0, Yt = void 0;
+var Xt, H = void 0;
+function ue(e) {
+  var t = H, n = Xt;
+  H = void 0, Xt = void 0;
   try {
     return e();
   } finally {
-    H = t, Yt = n;
+    H = t, Xt = n;
   }
 }
-var Qt = void 0, He = 0, Vn = 0, xs = 0, Oo = 0, In = void 0, An = 0;
-function gi(e) {
+var Yt = void 0, Ae = 0, Hn = 0, Ms = 0, Do = 0, Kn = void 0, On = 0;
+function wi(e) {
   if (H !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== H)
@@ -420,78 +420,78 @@ function gi(e) {
       return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = H.s, t.n = void 0, H.s.n = t, H.s = t), t;
   }
 }
-function Y(e, t) {
+function Q(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ks;
-Y.prototype.h = function() {
+Q.prototype.brand = Ss;
+Q.prototype.h = function() {
   return !0;
 };
-Y.prototype.S = function(e) {
+Q.prototype.S = function(e) {
   var t = this, n = this.t;
-  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : re(function() {
+  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : ue(function() {
     var o;
     (o = t.W) == null || o.call(t);
   }));
 };
-Y.prototype.U = function(e) {
+Q.prototype.U = function(e) {
   var t = this;
   if (this.t !== void 0) {
     var n = e.e, o = e.x;
-    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && re(function() {
+    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && ue(function() {
       var r;
       (r = t.Z) == null || r.call(t);
     }));
   }
 };
-Y.prototype.subscribe = function(e) {
+Q.prototype.subscribe = function(e) {
   var t = this;
-  return T(function() {
+  return L(function() {
     var n = t.value;
-    re(function() {
+    ue(function() {
       return e(n);
     });
   }, { name: "sub" });
 };
-Y.prototype.valueOf = function() {
+Q.prototype.valueOf = function() {
   return this.value;
 };
-Y.prototype.toString = function() {
+Q.prototype.toString = function() {
   return this.value + "";
 };
-Y.prototype.toJSON = function() {
+Q.prototype.toJSON = function() {
   return this.value;
 };
-Y.prototype.peek = function() {
+Q.prototype.peek = function() {
   var e = this;
-  return re(function() {
+  return ue(function() {
     return e.value;
   });
 };
-Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = gi(this);
+Object.defineProperty(Q.prototype, "value", { get: function() {
+  var e = wi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
-    if (Vn > 100) throw new Error("Cycle detected");
+    if (Hn > 100) throw new Error("Cycle detected");
     (function(n) {
-      He !== 0 && Vn === 0 && n.l !== Oo && (n.l = Oo, In = { S: n, v: n.v, i: n.i, o: In });
-    })(this), this.v = e, this.i++, An++, He++;
+      Ae !== 0 && Hn === 0 && n.l !== Do && (n.l = Do, Kn = { S: n, v: n.v, i: n.i, o: Kn });
+    })(this), this.v = e, this.i++, On++, Ae++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
-      Rn();
+      Dn();
     }
   }
 } });
 function g(e, t) {
-  return new Y(e, t);
+  return new Q(e, t);
 }
-function bi(e) {
+function ki(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function yi(e) {
+function xi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,7 +500,7 @@ function yi(e) {
     }
   }
 }
-function _i(e) {
+function Si(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -508,33 +508,33 @@ function _i(e) {
   e.s = n;
 }
 function tt(e, t) {
-  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = An - 1, this.f = 4;
+  Q.call(this, void 0, t), this.x = e, this.s = void 0, this.g = On - 1, this.f = 4;
 }
-tt.prototype = new Y();
+tt.prototype = new Q();
 tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
-  if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !bi(this))
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === On)) return !0;
+  if (this.g = On, this.f |= 1, this.i > 0 && !ki(this))
     return this.f &= -2, !0;
   var e = H;
   try {
-    yi(this), H = this;
+    xi(this), H = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return H = e, _i(this), this.f &= -2, !0;
+  return H = e, Si(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
-  Y.prototype.S.call(this, e);
+  Q.prototype.S.call(this, e);
 };
 tt.prototype.U = function(e) {
-  if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
+  if (this.t !== void 0 && (Q.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
@@ -547,45 +547,45 @@ tt.prototype.N = function() {
 };
 Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = gi(this);
+  var e = wi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
   return new tt(e, t);
 }
-function wi(e) {
+function Mi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    He++;
+    Ae++;
     var n = H;
     H = void 0;
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, Do(e), o;
+      throw e.f &= -2, e.f |= 8, Fo(e), o;
     } finally {
-      H = n, Rn();
+      H = n, Dn();
     }
   }
 }
-function Do(e) {
+function Fo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, wi(e);
+  e.x = void 0, e.s = void 0, Mi(e);
 }
-function Ss(e) {
+function Cs(e) {
   if (H !== this) throw new Error("Out-of-order effect");
-  _i(this), H = e, this.f &= -2;
+  Si(this), H = e, this.f &= -2;
   try {
-    8 & this.f && Do(this);
+    8 & this.f && Fo(this);
   } finally {
-    Rn();
+    Dn();
   }
 }
-function bt(e, t) {
-  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Yt && Yt.push(this);
+function gt(e, t) {
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Xt && Xt.push(this);
 }
-bt.prototype.c = function() {
+gt.prototype.c = function() {
   var e = this.S();
   try {
     if (8 & this.f || this.x === void 0) return;
@@ -595,23 +595,23 @@ bt.prototype.c = function() {
     e();
   }
 };
-bt.prototype.S = function() {
+gt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, wi(this), yi(this), He++;
+  this.f |= 1, this.f &= -9, Mi(this), xi(this), Ae++;
   var e = H;
-  return H = this, Ss.bind(this, e);
+  return H = this, Cs.bind(this, e);
 };
-bt.prototype.N = function() {
-  2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
+gt.prototype.N = function() {
+  2 & this.f || (this.f |= 2, this.u = Yt, Yt = this);
 };
-bt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || Do(this);
+gt.prototype.d = function() {
+  this.f |= 8, 1 & this.f || Fo(this);
 };
-bt.prototype.dispose = function() {
+gt.prototype.dispose = function() {
   this.d();
 };
-function T(e, t) {
-  var n = new bt(e, t);
+function L(e, t) {
+  var n = new gt(e, t);
   try {
     n.c();
   } catch (r) {
@@ -622,85 +622,85 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Kn, Ms = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
-T(function() {
-  Fo = this.N;
+var No, Jt, Nn, Es = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Ci = [], Ei = [];
+L(function() {
+  No = this.N;
 })();
-function yt(e, t) {
-  E[e] = t.bind(null, E[e] || function() {
+function bt(e, t) {
+  C[e] = t.bind(null, C[e] || function() {
   });
 }
-function Jt(e) {
-  if (Kn) {
-    var t = Kn;
-    Kn = void 0, t();
+function Qt(e) {
+  if (Nn) {
+    var t = Nn;
+    Nn = void 0, t();
   }
-  Kn = e && e.S();
+  Nn = e && e.S();
 }
-function Si(e) {
+function Ti(e) {
   var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
-  var r = Ln(function() {
+  var r = An(function() {
     for (var s = t, p = t.__v; p = p.__; ) if (p.__c) {
       p.__c.__$f |= 4;
       break;
     }
-    var c = N(function() {
+    var u = N(function() {
       var f = o.value.value;
       return f === 0 ? 0 : f === !0 ? "" : f || "";
-    }), u = N(function() {
-      return !Array.isArray(c.value) && !Mo(c.value);
-    }), d = T(function() {
-      if (this.N = Mi, u.value) {
-        var f = c.value;
+    }), c = N(function() {
+      return !Array.isArray(u.value) && !Co(u.value);
+    }), d = L(function() {
+      if (this.N = Pi, c.value) {
+        var f = u.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
     }), m = t.__$u.d;
     return t.__$u.d = function() {
       d(), m.call(this);
-    }, [u, c];
+    }, [c, u];
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Si.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Zr(X, null).constructor }, type: { configurable: !0, value: Si }, props: { configurable: !0, get: function() {
+Ti.displayName = "ReactiveTextNode";
+Object.defineProperties(Q.prototype, { constructor: { configurable: !0, value: oi(Y, null).constructor }, type: { configurable: !0, value: Ti }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
   } } };
 } }, __b: { configurable: !0, value: 1 } });
-yt("__b", function(e, t) {
-  if (Jt(), Zt = void 0, typeof t.type == "string") {
+bt("__b", function(e, t) {
+  if (Qt(), Jt = void 0, typeof t.type == "string") {
     var n, o = t.props;
     for (var r in o) if (r !== "children") {
       var i = o[r];
-      i instanceof Y && (n || (t.__np = n = {}), n[r] = i, o[r] = i.peek());
+      i instanceof Q && (n || (t.__np = n = {}), n[r] = i, o[r] = i.peek());
     }
   }
   e(t);
 });
-yt("__r", function(e, t) {
-  if (e(t), t.type !== X) {
-    Jt();
+bt("__r", function(e, t) {
+  if (e(t), t.type !== Y) {
+    Qt();
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
-      return T(function() {
+      return L(function() {
         a = this;
       }, { name: i }), a.c = r, a;
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        Ms && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        Es && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
-    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Jt = o, Qt(n);
   }
 });
-yt("__e", function(e, t, n, o) {
-  Jt(), Zt = void 0, e(t, n, o);
+bt("__e", function(e, t, n, o) {
+  Qt(), Jt = void 0, e(t, n, o);
 });
-yt("diffed", function(e, t) {
-  Jt(), Zt = void 0;
+bt("diffed", function(e, t) {
+  Qt(), Jt = void 0;
   var n;
   if (typeof t.type == "string" && (n = t.__e)) {
     var o = t.__np, r = t.props, i = n.U;
@@ -711,24 +711,24 @@ yt("diffed", function(e, t) {
     if (o) {
       i || (i = {}, n.U = i);
       for (var p in o) {
-        var c = i[p], u = o[p];
-        c === void 0 ? (c = Cs(n, p, u, r), i[p] = c) : c.o(u, r);
+        var u = i[p], c = o[p];
+        u === void 0 ? (u = Ts(n, p, c, r), i[p] = u) : u.o(c, r);
       }
     }
   }
   e(t);
 });
-function Cs(e, t, n, o) {
+function Ts(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
-  }, d: T(function() {
-    this.N = Mi;
+  }, d: L(function() {
+    this.N = Pi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
 }
-yt("unmount", function(e, t) {
+bt("unmount", function(e, t) {
   if (typeof t.type == "string") {
     var n = t.__e;
     if (n) {
@@ -748,19 +748,19 @@ yt("unmount", function(e, t) {
     }
     t.__np = void 0;
   } else {
-    var c = t.__c;
-    if (c) {
-      c.__$f |= 8;
-      var u = c.__$u;
-      u && (c.__$u = void 0, u.d());
+    var u = t.__c;
+    if (u) {
+      u.__$f |= 8;
+      var c = u.__$u;
+      c && (u.__$u = void 0, c.d());
     }
   }
   e(t);
 });
-yt("__h", function(e, t, n, o) {
+bt("__h", function(e, t, n, o) {
   o < 3 && (t.__$f |= 2), e(t, n, o);
 });
-gt.prototype.shouldComponentUpdate = function(e, t) {
+vt.prototype.shouldComponentUpdate = function(e, t) {
   if (this.__R) return !0;
   var n = this.__$u, o = n && n.s !== void 0;
   for (var r in t) return !0;
@@ -773,191 +773,191 @@ gt.prototype.shouldComponentUpdate = function(e, t) {
   return !1;
 };
 function nt(e, t) {
-  return Ln(function() {
+  return An(function() {
     return g(e, t);
   }, []);
 }
-var Es = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Ps = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Ts = function(e) {
+}, $s = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Ps() {
-  Hn(function() {
-    for (var e; e = ki.shift(); ) Fo.call(e);
-  });
-}
-function $s() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Es)(Ps);
-}
 function Ls() {
-  Hn(function() {
-    for (var e; e = xi.shift(); ) Fo.call(e);
+  Fn(function() {
+    for (var e; e = Ci.shift(); ) No.call(e);
   });
 }
-function Mi() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Ts)(Ls);
+function Vs() {
+  Ci.push(this) === 1 && (C.requestAnimationFrame || Ps)(Ls);
 }
-function Ci(e, t) {
+function Is() {
+  Fn(function() {
+    for (var e; e = Ei.shift(); ) No.call(e);
+  });
+}
+function Pi() {
+  Ei.push(this) === 1 && (C.requestAnimationFrame || $s)(Is);
+}
+function $i(e, t) {
   var n = ne(e);
   n.current = e;
-  var o = Zt;
-  Ee(function() {
-    return T(function() {
-      if (this.N = $s, !(o && 8 & o.__$f)) return n.current();
+  var o = Jt;
+  Ce(function() {
+    return L(function() {
+      if (this.N = Vs, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/vec.ts
-var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
+var V = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], _ = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], be = (e) => Math.hypot(e[0], e[1], e[2]), Ke = (e, t) => be(O(e, t)), Vs = (e, t, n) => I(S(e, 1 - n), S(t, n));
-function Z(e, t = [0, 0, 1]) {
+], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(O(e, t)), Rs = (e, t, n) => V(_(e, 1 - n), _(t, n));
+function ee(e, t = [0, 0, 1]) {
   let n = be(e);
-  return n > 1e-12 ? S(e, 1 / n) : t;
+  return n > 1e-12 ? _(e, 1 / n) : t;
 }
 function ot(e) {
   let t = Math.abs(e[0]) < 0.7 * be(e) ? [1, 0, 0] : [0, 1, 0];
-  return Z(ge(t, e));
+  return ee(ge(t, e));
 }
-function en(e, t, n) {
+function Zt(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return I(I(S(e, o), S(ge(t, e), r)), S(t, q(t, e) * (1 - o)));
+  return V(V(_(e, o), _(ge(t, e), r)), _(t, q(t, e) * (1 - o)));
 }
-function _t([e, t]) {
+function yt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
     o & 1 ? t[0] : e[0],
     o & 2 ? t[1] : e[1],
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => Vs(e, t, 0.5);
+var Ue = ([e, t]) => Rs(e, t, 0.5);
 
 // src/camera.ts
-var No = Math.PI / 180, On = 89 * No;
-function wt(e, t, n) {
-  let o = Z(O(e.target, e.eye), [0, 0, -1]), r = Z(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * No * 0.5) / n;
+var qo = Math.PI / 180, qn = 89 * qo;
+function _t(e, t, n) {
+  let o = ee(O(e.target, e.eye), [0, 0, -1]), r = ee(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * qo * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
-function tn(e, t) {
+function en(e, t) {
   let n = O(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function Is(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
-  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: Z(I(e.forward, i)) };
+function As(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = V(_(e.side, o), _(e.up, r));
+  return e.parallel ? { origin: V(e.eye, i), direction: e.forward } : { origin: e.eye, direction: ee(V(e.forward, i)) };
 }
-function Ei(e, t, n, o) {
-  let r = O(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(Z(r), t)))), s = O(r, S(t, q(r, t))), p = Z(be(s) > 1e-6 * i ? s : O(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-On, Math.min(On, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
-  return { ...e, up: t, target: I(e.eye, S(d, i)) };
+function Li(e, t, n, o) {
+  let r = O(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(ee(r), t)))), s = O(r, _(t, q(r, t))), p = ee(be(s) > 1e-6 * i ? s : O(e.up, _(t, q(e.up, t))), ot(t)), u = Math.max(-qn, Math.min(qn, a + o)), c = Zt(p, t, n), d = V(_(c, Math.cos(u)), _(t, Math.sin(u)));
+  return { ...e, up: t, target: V(e.eye, _(d, i)) };
 }
-function Ti(e, t, n, o, r) {
-  let i = O(e.target, e.eye), a = O(i, S(t, q(i, t))), s = Z(be(a) > 1e-6 ? a : e.up, ot(t)), p = Z(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
-  return je(e, c);
+function Vi(e, t, n, o, r) {
+  let i = O(e.target, e.eye), a = O(i, _(t, q(i, t))), s = ee(be(a) > 1e-6 ? a : e.up, ot(t)), p = ee(ge(s, t)), u = V(V(_(s, n), _(p, o)), _(t, r));
+  return Ke(e, u);
 }
-function Pi(e, t, n, o, r) {
-  let i = Z(O(e.target, e.eye)), a = Z(ge(i, e.up), ot(i));
-  return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
+function Ii(e, t, n, o, r) {
+  let i = ee(O(e.target, e.eye)), a = ee(ge(i, e.up), ot(i));
+  return Ke(e, V(V(_(i, n), _(a, o)), _(t, r)));
 }
-function je(e, t) {
-  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+function Ke(e, t) {
+  return { ...e, eye: V(e.eye, t), target: V(e.target, t) };
 }
-function $i(e, t, n, o, r) {
-  let i = Z(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-On, Math.min(On, a + r)), p = Z(ge(i, t), Z(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
+function Ri(e, t, n, o, r) {
+  let i = ee(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-qn, Math.min(qn, a + r)), p = ee(ge(i, t), ee(ge(i, e.up), ot(i))), u = (c) => Zt(Zt(c, p, s - a), t, o);
   return {
     ...e,
     up: t,
-    eye: I(n, c(O(e.eye, n))),
-    target: I(n, c(O(e.target, n)))
+    eye: V(n, u(O(e.eye, n))),
+    target: V(n, u(O(e.target, n)))
   };
 }
-function Li(e, t, n, o, r) {
+function Ai(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
+  return Ke(e, V(_(t.side, -n * i), _(t.up, o * i)));
 }
-function Dn(e, t, n, o, r) {
+function Un(e, t, n, o, r) {
   let i = O(t, e.eye), a = be(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), je(e, S(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Ke(e, _(i, s / a));
 }
-function Fn(e, t, n, o, r) {
-  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
-    S(t.side, (n - t.width / 2) * a),
-    S(t.up, (t.height / 2 - o) * a)
+function jn(e, t, n, o, r) {
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = V(
+    _(t.side, (n - t.width / 2) * a),
+    _(t.up, (t.height / 2 - o) * a)
   );
-  return { ...je(e, s), height: i };
+  return { ...Ke(e, s), height: i };
 }
-function Vi(e, t, n = 0.4) {
-  let o = qe(t), r = Math.max(Ke(t[0], t[1]) / 2, 0.5), i = Z(O(e.eye, e.target));
+function Hi(e, t, n = 0.4) {
+  let o = Ue(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = ee(O(e.eye, e.target));
   if (e.height) {
     let s = q(O(e.eye, o), i);
-    return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
+    return { ...e, eye: V(o, _(i, s)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
-  return { ...e, eye: I(o, S(i, a)), target: o };
+  let a = Math.max(1.5 * r / Math.tan(e.fov * qo * 0.5), n + r);
+  return { ...e, eye: V(o, _(i, a)), target: o };
 }
-var As = ["plan", "ceiling", "north", "east", "south", "west"];
-function Ii(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = Z(ge(e, t));
-  return { right: Z(ge(n, e)), ahead: n };
+var Hs = ["plan", "ceiling", "north", "east", "south", "west"];
+function Ki(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = ee(ge(e, t));
+  return { right: ee(ge(n, e)), ahead: n };
 }
-function Ai(e, t, n, o) {
-  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), c = {
-    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
+function Oi(e, t, n, o) {
+  let { right: r, ahead: i } = Ki(n), a = Ue(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), u = {
+    plan: { forward: _(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: _(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
+    south: { forward: _(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), d = 1, m = O(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
-  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
+    west: { forward: _(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], c = s(u.forward), d = 1, m = O(a, _(u.forward, c / 2 + d)), f = 1.08 * Math.max(s(u.up), s(u.side) / o, 0.1);
+  return { eye: m, target: a, up: u.up, fov: 50, height: f, near: d + c * u.cut };
 }
-function nn(e, t) {
-  let n = (r, i) => Ke(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
+function tn(e, t) {
+  let n = (r, i) => He(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/counters.ts
-var ae = {
+var ie = {
   frame: 0,
   seqApplied: 0,
   frames: [],
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Ri = 0;
+}, Di = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Ri = t.timeStamp, { capture: !0, passive: !0 });
-function Hi(e, t) {
-  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Ri }), ae.sent.length > 1024 && ae.sent.shift();
+  addEventListener(e, (t) => Di = t.timeStamp, { capture: !0, passive: !0 });
+function Fi(e, t) {
+  ie.sent.push({ seq: e, what: t, at: performance.now(), input: Di }), ie.sent.length > 1024 && ie.sent.shift();
 }
-function Ki(e) {
-  ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
+function Ni(e) {
+  ie.frame = e.frame, ie.seqApplied = e.seq, ie.firstDrawn ||= e.drawn, ie.frames.push(e), ie.frames.length > 1024 && ie.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
       e.painted = performance.now(), t.port1.close();
     }, t.port2.postMessage(0);
   });
 }
-window.__desk = ae;
+window.__desk = ie;
 
 // src/store.ts
-var Nn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function an(e, t) {
-  if (!kt(e) || !kt(t)) return t;
+var Wn = /* @__PURE__ */ new Set(), wt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function rn(e, t) {
+  if (!wt(e) || !wt(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = an(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = rn(n[o], r);
   return n;
 }
-var on = class {
+var nn = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -973,9 +973,9 @@ var on = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: an(i, r), seq: n });
+      this.own.set(o, { value: rn(i, r), seq: n });
     }
-    Nn.add(this), this.show();
+    Wn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -989,7 +989,7 @@ var on = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && Nn.delete(this), n && this.show();
+    this.own.size === 0 && Wn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -1001,11 +1001,11 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Oi(e) {
+function qi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
-var Te = class {
+var Ee = class {
   /** Numbers of the entries there are, ascending; changes only when one comes or goes. */
   ids = g([]);
   /** Grows when an entry is called otherwise or belongs elsewhere: what lists are made of. */
@@ -1033,214 +1033,214 @@ var Te = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new on(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new nn(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Oi(a.shown.peek()) !== Oi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (qi(a.shown.peek()) !== qi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new nn(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, M = new Te(), D = new Te(), ye = new Te(), xt = new Te(), St = new Te(), Mt = new Te(), Ct = new Te(), qn = new Te(), rn = {
-  lamps: M,
+}, k = new Ee(), D = new Ee(), ye = new Ee(), kt = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Bn = new Ee(), on = {
+  lamps: k,
   groups: D,
   things: ye,
-  materials: xt,
-  views: St,
-  looks: Mt,
-  meters: Ct,
-  grids: qn
-}, ee = g(null), sn = g([]), xe = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Pe = g(null), jn = new on({
+  materials: kt,
+  views: xt,
+  looks: St,
+  meters: Mt,
+  grids: Bn
+}, te = g(null), an = g([]), _e = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), Gn = new nn({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), at = jn.shown, qo = {
-  scene: ee,
-  layers: sn,
-  solo: xe,
+}), at = Gn.shown, Uo = {
+  scene: te,
+  layers: an,
+  solo: _e,
   history: rt,
   saved: it,
   editor: F,
-  status: Pe
+  status: Te
 };
-function Di(e) {
-  Nn.clear();
-  for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(qo)) t in e && (n.value = e[t]);
-  kt(e.display) && jn.receive(e.display);
+function Ui(e) {
+  Wn.clear();
+  for (let [t, n] of Object.entries(on)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(Uo)) t in e && (n.value = e[t]);
+  wt(e.display) && Gn.receive(e.display);
 }
-function Fi(e, t) {
+function ji(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in qo && (qo[n].value = o);
-  Et(t);
+    n in on ? on[n].patch(o) : n === "display" ? Gn.receive(o) : n in Uo && (Uo[n].value = o);
+  Ct(t);
 }
-function Et(e) {
-  for (let t of [...Nn]) t.release(e);
+function Ct(e) {
+  for (let t of [...Wn]) t.release(e);
 }
-function Ni(e, t) {
+function Wi(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in rn && kt(o))
+    if (n in on && wt(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = rn[n].entry(Number(r));
-        a && kt(i) && t(a, i);
+        let a = on[n].entry(Number(r));
+        a && wt(i) && t(a, i);
       }
-    else n === "display" && kt(o) && t(jn, o);
+    else n === "display" && wt(o) && t(Gn, o);
 }
-var jo = (e, t) => Ni(e, (n, o) => n.keep(o, t)), Un = (e, t) => Ni(e, (n, o) => n.settle(o, t));
-function st(e) {
+var jo = (e, t) => Wi(e, (n, o) => n.keep(o, t)), zn = (e, t) => Wi(e, (n, o) => n.settle(o, t));
+function sn(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-function Uo(e) {
+function Wo(e) {
   return e.reduce((t, n) => {
-    let o = M.get(n);
-    return t + (o ? o.flux * st(o) : 0);
+    let o = k.get(n);
+    return t + (o ? o.flux * sn(o) : 0);
   }, 0);
 }
-var qi = N(() => {
-  let e = M.all();
-  return e.length > 0 && e.every(([, t]) => st(t) === 0);
+var Bi = N(() => {
+  let e = k.all();
+  return e.length > 0 && e.every(([, t]) => sn(t) === 0);
 });
-function Rs(e, t) {
+function Ks(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Oe = g(0), ji = () => null, Ui = (e) => {
-  ji = e;
-}, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", Gn = !1;
+var j = g("entering"), cn = g(0), pe = g("edit"), Xn = g(null), Oe = g(0), Gi = () => null, zi = (e) => {
+  Gi = e;
+}, Yn = /* @__PURE__ */ new Map(), je = null, ln = 0, Bo = null, un = 0, Et = "", Qn = !1;
 function Se(e, t) {
-  let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
-  return Bn.set(e, n.add(t)), () => n.delete(t);
+  let n = Yn.get(e) ?? /* @__PURE__ */ new Set();
+  return Yn.set(e, n.add(t)), () => n.delete(t);
 }
 function K(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Hi(ln, e.do), ln);
+  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Fi(ln, e.do), ln);
 }
-var Hs = 0, lt = /* @__PURE__ */ new Map();
-function Me(e, t, n, o = () => {
+var Os = 0, st = /* @__PURE__ */ new Map();
+function De(e, t, n, o = () => {
 }) {
-  let r = ++Hs, i = Se("answer", (s) => {
+  let r = ++Os, i = Se("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = K({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
-  lt.set(a, (s) => {
+  st.set(a, (s) => {
     i(), o(s);
   });
-  for (let s of lt.keys()) {
+  for (let s of st.keys()) {
     if (s > a - 300) break;
-    lt.delete(s);
+    st.delete(s);
   }
   return i;
 }
-function Ks(e) {
+function Ds(e) {
   switch (e.is) {
     case "hello":
-      if (un = 0, Wo !== null && e.build !== Wo) {
-        U.value = "renewed", Ue?.close();
+      if (un = 0, Bo !== null && e.build !== Bo) {
+        j.value = "renewed", je?.close();
         return;
       }
-      Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, lt.clear(), U.value = "open";
+      Bo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Xn.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, st.clear(), j.value = "open";
       break;
     case "state":
-      Di(e.state ?? e);
+      Ui(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Oe.value);
+      (e.by == null || String(e.by) === Xn.value) && Go(e.seq), ji(e.patch ?? {}, Oe.value);
       break;
     case "status":
-      Pe.value = e;
+      Te.value = e;
       break;
     case "refused":
-      if (Bo(e.seq), Et(Oe.value), lt.has(e.seq)) {
-        lt.get(e.seq)?.(e.why ?? ""), lt.delete(e.seq);
+      if (Go(e.seq), Ct(Oe.value), st.has(e.seq)) {
+        st.get(e.seq)?.(e.why ?? ""), st.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (Gn = !0);
+      e.what === "bye" && (Qn = !0);
       break;
   }
-  for (let t of [...Bn.get(e.is) ?? []]) t(e);
+  for (let t of [...Yn.get(e.is) ?? []]) t(e);
 }
-function Bo(e) {
+function Go(e) {
   typeof e == "number" && e > Oe.value && (Oe.value = e);
 }
-async function Wi() {
-  if (!Tt) return "in";
+async function Xi() {
+  if (!Et) return "in";
   try {
     return (await fetch("/enter", {
       method: "POST",
       headers: { "content-type": "application/json" },
-      body: JSON.stringify({ key: Tt })
+      body: JSON.stringify({ key: Et })
     })).ok ? "in" : "denied";
   } catch {
     return "away";
   }
 }
-function Bi() {
+function Yi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  Ue = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
-    if (t !== Ue) return;
+  je = t, Yn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+    if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = ji(o.data);
-      i && F.value.you && Bo(i.seq);
+      let i = Gi(o.data);
+      i && F.value.you && Go(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), Ks(r);
+    r.is === "hello" && (n = !0, ln = 0), Ds(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Os(n));
+    t === je && (je = null, j.value !== "renewed" && Fs(n));
   };
 }
-async function Os(e) {
-  if (Et(1 / 0), !e && await Ds()) {
-    let o = await Wi();
-    if (o === "denied" || o === "in" && un > 4 && !Tt) {
-      U.value = "denied";
+async function Fs(e) {
+  if (Ct(1 / 0), !e && await Ns()) {
+    let o = await Xi();
+    if (o === "denied" || o === "in" && un > 4 && !Et) {
+      j.value = "denied";
       return;
     }
   }
   un += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  un > 3 && t && (Gn = !0), U.value = Gn ? "ended" : "lost";
+  un > 3 && t && (Qn = !0), j.value = Qn ? "ended" : "lost";
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, Bi();
+  cn.value = 0, Yi();
 }
-async function Ds() {
+async function Ns() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Gi() {
+async function Qi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Wi() === "denied") {
-    U.value = "denied";
+  if (e ? (Et = e, sessionStorage.setItem("lampyris-key", Et), window.history.replaceState(null, "", location.pathname + location.search)) : Et = sessionStorage.getItem("lampyris-key") ?? "", ie.entered = performance.now(), e && await Xi() === "denied") {
+    j.value = "denied";
     return;
   }
-  Bi();
+  Yi();
 }
-Se("hello", () => Gn = !1);
+Se("hello", () => Qn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), zi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), $e = null, Go = null, zo = !1, ut = null;
-function Fs(e) {
-  if (e.byteLength < Xi) return null;
+var W = g(null), Pt = g(0), Ji = ["moving", "settled", "final"], Zi = 32, Tt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Xo = !1, lt = null;
+function qs(e) {
+  if (e.byteLength < Zi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function Fs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: zi[Math.min(t.getUint8(16), 2)],
+    kind: Ji[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1256,31 +1256,31 @@ function Fs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ns(e) {
-  let t = Fs(e);
-  return t ? (ut && K({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, zo || qs(), t.head) : null;
+function Us(e) {
+  let t = qs(e);
+  return t ? (lt && K({ do: "ack", frame: lt.head.frame }), lt = { ...t, bytes: e, received: performance.now() }, Xo || js(), t.head) : null;
 }
-async function qs() {
-  for (zo = !0; ut; ) {
-    let { head: e, mime: t, bytes: n, received: o } = ut;
-    ut = null;
+async function js() {
+  for (Xo = !0; lt; ) {
+    let { head: e, mime: t, bytes: n, received: o } = lt;
+    lt = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
-      js(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Zi)], { type: t }));
+      Ws(e, r, n.byteLength, o);
     } catch {
     }
     K({ do: "ack", frame: e.frame });
   }
-  zo = !1;
+  Xo = !1;
 }
-function js(e, t, n, o) {
+function Ws(e, t, n, o) {
   let r = performance.now();
-  $e && Go && (($e.width !== t.width || $e.height !== t.height) && ($e.width = t.width, $e.height = t.height), Go.drawImage(t, 0, 0)), t.close();
-  let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Us(), Ki({
+  Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
+  let i = Tt.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), Bs(), Ni({
     frame: e.frame,
     seq: e.seq,
-    kind: zi.indexOf(e.kind),
+    kind: Ji.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1293,70 +1293,70 @@ function js(e, t, n, o) {
     encode: e.encode
   });
 }
-var zn = [];
-function Us() {
+var Jn = [];
+function Bs() {
   let e = performance.now();
-  zn = zn.filter((t) => e - t < 1e3), zn.push(e), $t.value = zn.length;
+  Jn = Jn.filter((t) => e - t < 1e3), Jn.push(e), Pt.value = Jn.length;
 }
-function Xo(e) {
-  $e = e, Go = e?.getContext("2d", { alpha: !1 }) ?? null;
+function Yo(e) {
+  Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Yi() {
-  if (!$e || !W.peek()) return null;
+function ea() {
+  if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
-  return e.width = $e.width, e.height = $e.height, e.getContext("2d", { alpha: !1 })?.drawImage($e, 0, 0), e;
+  return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Ui(Ns);
+zi(Us);
 Se("camera", (e) => {
-  Pt.set(e.number, e);
-  for (let t of Pt.keys()) {
-    if (Pt.size <= 64) break;
-    Pt.delete(t);
+  Tt.set(e.number, e);
+  for (let t of Tt.keys()) {
+    if (Tt.size <= 64) break;
+    Tt.delete(t);
   }
 });
 Se("line", () => {
-  Pt.clear(), ut = null;
+  Tt.clear(), lt = null;
 });
 
 // src/prefs.ts
-var Qi = "lampyris-";
-function se(e, t) {
+var ta = "lampyris-";
+function ae(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Qi + e);
+    let r = localStorage.getItem(ta + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
   let o = g(n);
-  return T(() => {
+  return L(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Qi + e, r);
+      localStorage.setItem(ta + e, r);
     } catch {
     }
   }), o;
 }
-var Yo = se("theme", "dark"), Qo = se("house-lights", 1), Xn = se("hands", "default"), Jo = se("walking", "walk"), Zo = se("panels", !0), Lt = se("listing", "faders"), Yn = se("travel", "square"), Vt = se("candles", "lx"), er = se("single-keys", !0), tr = se("lamp-marks", !0), Ws = se("maintenance", 1), Bs = se("work-plane", 0.75), We = se("fine", !1), nr = se("fade", 1), Gs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, _e = se("look-only", Gs);
+var Qo = ae("theme", "dark"), Jo = ae("house-lights", 1), Zn = ae("hands", "default"), Zo = ae("walking", "walk"), er = ae("panels", !0), $t = ae("listing", "faders"), eo = ae("travel", "square"), Lt = ae("candles", "lx"), tr = ae("single-keys", !0), nr = ae("lamp-marks", !0), or = ae("maintenance", 1), Gs = ae("work-plane", 0.75), We = ae("fine", !1), rr = ae("fade", 1), zs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, we = ae("look-only", zs);
 
 // src/say.ts
-var ct = g([]), zs = 0;
-function le(e, t = "plain") {
-  if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++zs;
-  ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
+var ut = g([]), Xs = 0;
+function se(e, t = "plain") {
+  if (ut.peek().find((r) => r.text === e)) return;
+  let o = ++Xs;
+  ut.value = [...ut.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => ir(o), t === "warn" ? 8e3 : 4e3);
 }
-function or(e) {
-  ct.value = ct.peek().filter((t) => t.id !== e);
+function ir(e) {
+  ut.value = ut.peek().filter((t) => t.id !== e);
 }
 
 // src/gesture.ts
-var It = 0, ea = /* @__PURE__ */ new Set(), ta = (e) => {
-  ea.add(e);
-}, fn = /* @__PURE__ */ new Set(), Qn = N(() => _e.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
-function Jn() {
-  return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
+var Vt = 0, ra = /* @__PURE__ */ new Set(), ia = (e) => {
+  ra.add(e);
+}, fn = /* @__PURE__ */ new Set(), Ge = N(() => we.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+function to() {
+  return j.value !== "open" ? "There is no connection to the program: nothing was changed." : Ge.value;
 }
-var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var na = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1368,17 +1368,17 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = an(this.touched, t), this.waiting = an(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
+    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
     this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ji(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), zn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: na(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Un(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, zn(this.touched, 0), this.finish({ do: "cancel" }), Ct(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
@@ -1386,313 +1386,313 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   }
   /** The line is gone, and with it what was held. */
   drop() {
-    this.state = "over", fn.delete(this), It = 0;
+    this.state = "over", fn.delete(this), Vt = 0;
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = re(Jn);
-    return t ? (le(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = K({ do: "begin", label: Ji(this.label) })), !0);
+    let t = ue(to);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), Vt === 0 && ra.forEach((n) => n()), Vt++ === 0 && (this.last = K({ do: "begin", label: na(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    fn.delete(this), It = Math.max(0, It - 1), It === 0 && K(t);
+    fn.delete(this), Vt = Math.max(0, Vt - 1), Vt === 0 && K(t);
   }
 };
-function Ve(e, t) {
+function Le(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Xs(e, t) {
+function Ys(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
-function At(e) {
-  re(() => U.value) === "open" && (jo({ display: e }, 1 / 0), Un({ display: e }, K({ do: "display", patch: e })));
+function It(e) {
+  ue(() => j.value) === "open" && (jo({ display: e }, 1 / 0), zn({ display: e }, K({ do: "display", patch: e })));
 }
-var Le = null;
-function rr(e, t, n) {
-  Le && Le.key !== e && Zi(), Le ??= { key: e, gesture: new Be(t), timer: 0 }, Le.gesture.set(n), clearTimeout(Le.timer), Le.timer = window.setTimeout(Zi, 700);
+var $e = null;
+function ar(e, t, n) {
+  $e && $e.key !== e && oa(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(oa, 700);
 }
-function Zi() {
-  Le && (clearTimeout(Le.timer), Le.gesture.end(), Le = null);
+function oa() {
+  $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
-T(() => {
-  Oe.value, re(() => [...fn].forEach((e) => e.followed()));
+L(() => {
+  Oe.value, ue(() => [...fn].forEach((e) => e.followed()));
 });
-T(() => {
-  U.value !== "open" && [...fn].forEach((e) => e.drop());
+L(() => {
+  j.value !== "open" && [...fn].forEach((e) => e.drop());
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Ys = g(0.5);
-function Qs() {
-  let e = W.peek(), t = Yi();
+var pn = g(null), de = g(null), Qs = g(0.5);
+function Js() {
+  let e = W.peek(), t = ea();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
-function ir() {
-  de.peek() !== "wipe" && Qs();
+function sr() {
+  de.peek() !== "wipe" && Js();
 }
-ta(ir);
-function na() {
+ia(sr);
+function aa() {
   let e = pn.peek(), t = W.peek();
-  if (!e || !t) le("Nothing has been changed yet.");
-  else if (!nn(e.camera, t.camera)) le("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  if (!e || !t) se("Nothing has been changed yet.");
+  else if (!tn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
 function dn(e) {
-  e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? de.peek() === null && aa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Js() {
-  de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
+function Zs() {
+  de.value = de.peek() === "wipe" ? null : aa() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), G = g(null), Zs = g("move"), ue = N(() => {
-  let e = P.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
+var E = g(null), me = g(null), X = g(null), el = g("move"), le = N(() => {
+  let e = E.value;
+  return e?.kind === "lamp" ? e.ids.filter((t) => k.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
-function Ge(e, t, n = "only") {
-  let o = P.peek();
+function ze(e, t, n = "only") {
+  let o = E.peek();
   if (n === "only" || o?.kind !== e) {
-    P.value = { kind: e, ids: [t] };
+    E.value = { kind: e, ids: [t] };
     return;
   }
   let r = o.ids.includes(t);
   if (r && n === "add") return;
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
-  P.value = i.length ? { kind: e, ids: i } : null;
+  E.value = i.length ? { kind: e, ids: i } : null;
 }
-function Zn() {
-  P.value = null;
+function no() {
+  E.value = null;
 }
-function oa(e, t, n) {
-  let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
-  if (r < 0) return Ge(e, n);
-  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
-  P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
+function sa(e, t, n) {
+  let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
+  if (r < 0) return ze(e, n);
+  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), u = (o?.ids ?? []).filter((c) => !p.includes(c));
+  E.value = { kind: e, ids: [...u, ...r < i ? p : p.reverse()] };
 }
-function el(e) {
-  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
+function tl(e) {
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
-  Ge(n, o[(r + e + o.length) % o.length]);
+  ze(n, o[(r + e + o.length) % o.length]);
 }
-function ra(e, t) {
+function la(e, t) {
   switch (e) {
     case "lamp":
-      return M.get(t)?.name ?? `lamp ${t}`;
+      return k.get(t)?.name ?? `lamp ${t}`;
     case "group":
       return D.get(t)?.name ?? `group ${t}`;
     case "thing":
       return ye.get(t)?.name ?? `thing ${t}`;
     case "material":
-      return xt.get(t)?.name ?? `material ${t}`;
+      return kt.get(t)?.name ?? `material ${t}`;
     default:
       return `${e} ${t}`;
   }
 }
-function eo(e) {
-  return e.length === 1 ? ra("lamp", e[0]) : `${e.length} lamps`;
+function oo(e) {
+  return e.length === 1 ? la("lamp", e[0]) : `${e.length} lamps`;
 }
-function ia(e, t) {
+function ua(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
-    let i = M.get(e.lamp)?.group;
+    let i = k.get(e.lamp)?.group;
     i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && Zn();
+    t === "only" && no();
     return;
   }
-  if (t !== "only") return Ge(n[0].kind, n[0].ids[0], t);
-  let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
-  P.value = n[(r + 1) % n.length];
+  if (t !== "only") return ze(n[0].kind, n[0].ids[0], t);
+  let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
+  E.value = n[(r + 1) % n.length];
 }
-var to = g(null);
+var mn = g(null);
 
 // src/navigate.ts
-var tl = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ie = N(() => ee.value?.up ?? [0, 0, 1]), we = g([640, 480]), Kt = g(null), lr = null, mn = null, ar = !1, ze = [], cr = [], ur = 0;
-function Q(e, t = null) {
+var fa = 1.6, he = g(null), pa = N(() => pe.value === "edit" && F.value.you), Ve = N(() => te.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Ht = g(null), cr = null, hn = null, lr = !1, Xe = [], pr = [], fr = 0;
+function J(e, t = null) {
   let n = he.peek();
-  if (n && nn(n, e)) return;
+  if (n && tn(n, e)) return;
   let o = performance.now();
-  n && (o - ur > 1e3 || t) && (ze.push(n), ze.length > 100 && ze.shift(), cr.length = 0), ur = o, he.value = e, Kt.value = t;
+  n && (o - fr > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), pr.length = 0), fr = o, he.value = e, Ht.value = t;
 }
 var oe = () => he.peek();
 function nl() {
-  la(ze, cr);
+  da(Xe, pr);
 }
 function ol() {
-  la(cr, ze);
+  da(pr, Xe);
 }
-function la(e, t) {
+function da(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
-  o && t.push(o), ur = performance.now(), he.value = n, Kt.value = null;
+  o && t.push(o), fr = performance.now(), he.value = n, Ht.value = null;
 }
-T(() => {
-  !he.value || U.value !== "open" || !sa.value || ar || (ar = !0, requestAnimationFrame(() => {
-    ar = !1;
+L(() => {
+  !he.value || j.value !== "open" || !pa.value || lr || (lr = !0, requestAnimationFrame(() => {
+    lr = !1;
     let t = he.peek();
-    if (!t || mn && nn(mn, t)) return;
+    if (!t || hn && tn(hn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (p.height = a), s && (p.near = s), K(p) && (mn = t);
+    a && (p.height = a), s && (p.near = s), K(p) && (hn = t);
   }));
 });
-T(() => {
+L(() => {
   let e = W.value;
-  e && re(() => {
-    he.peek() && sa.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
+  e && ue(() => {
+    he.peek() && pa.peek() || (hn = e.camera, he.value = e.camera, cr ??= e.camera);
   });
 });
-Se("hello", () => mn = null);
-function Ot(e, t) {
+Se("hello", () => hn = null);
+function Kt(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = hn(o.width, o.height);
+  let { head: o } = n, r = vn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function hn(e, t) {
-  let [n, o] = we.peek(), r = Math.min(n / e, o / t);
+function vn(e, t) {
+  let [n, o] = ke.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function ft(e = he.peek()) {
-  let [t, n] = we.peek();
-  return e ? wt(e, t, n) : null;
+function ct(e = he.peek()) {
+  let [t, n] = ke.peek();
+  return e ? _t(e, t, n) : null;
 }
-var Ht = () => ee.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ht());
-function no(e, t) {
+var At = () => te.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => Ue(At());
+function ro(e, t) {
   let n = oe();
-  n && Q(Ei(n, Ie.peek(), e, t));
+  n && J(Li(n, Ve.peek(), e, t));
 }
-function oo(e, t, n) {
+function io(e, t, n) {
   let o = oe();
-  o && Q($i(o, Ie.peek(), e, t, n));
+  o && J(Ri(o, Ve.peek(), e, t, n));
 }
-function Ft(e, t, n) {
-  let o = oe(), r = ft();
-  o && r && Q(Li(o, r, e, t, n));
+function Dt(e, t, n) {
+  let o = oe(), r = ct();
+  o && r && J(Ai(o, r, e, t, n));
 }
-function ua(e, t, n) {
+function ma(e, t, n) {
   let o = oe();
   if (o) {
     if (o.height) {
-      let r = ft(o);
-      r && Q(je(o, I(S(r.side, t), S(r.up, e))));
+      let r = ct(o);
+      r && J(Ke(o, V(_(r.side, t), _(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ie.peek(), e, t, n)) : (Q(Ti(o, Ie.peek(), e, t, 0)), rl());
+    Zo.peek() === "fly" || n !== 0 ? J(Ii(o, Ve.peek(), e, t, n)) : (J(Vi(o, Ve.peek(), e, t, 0)), rl());
   }
 }
-var Rt = !1, sr = !0, aa = null;
+var Rt = !1, ur = !0, ca = null;
 function rl() {
   let e = oe();
-  if (!e || Rt || !sr) return;
-  let t = Ie.peek();
+  if (!e || Rt || !ur) return;
+  let t = Ve.peek();
   Rt = !0;
-  let n = Me("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
-    Rt = !1, sr = !0;
+  let n = De("ray", { origin: e.eye, direction: _(t, -1) }, (o) => {
+    Rt = !1, ur = !0;
     let r = oe();
     if (!o.hit || !r || r.height) return;
-    aa = q(o.point, t);
-    let i = aa + tl - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
+    ca = q(o.point, t);
+    let i = ca + fa - q(r.eye, t);
+    Math.abs(i) > 0.01 && J(Ke(r, _(t, i * 0.5)));
   }, () => {
-    Rt = !1, sr = !1;
+    Rt = !1, ur = !1;
   });
   setTimeout(() => {
     Rt && n(), Rt = !1;
   }, 500);
 }
 function il() {
-  let e = P.peek();
+  let e = E.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(M.get(i)?.box, M.get(i)?.place?.position), e.kind === "thing" && n(ye.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
-      for (let a of D.get(i)?.lamps ?? []) n(M.get(a)?.box, M.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(k.get(i)?.box, k.get(i)?.place?.position), e.kind === "thing" && n(ye.get(i)?.box), e.kind === "meter" && n(null, Mt.get(i)?.point), e.kind === "group")
+      for (let a of D.get(i)?.lamps ?? []) n(k.get(a)?.box, k.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(_t), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
+  let o = t.flatMap(yt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function fr() {
+function al() {
   let e = oe(), t = il();
-  e && t ? Q(Vi(e, t), "selection") : pr();
+  e && t ? J(Hi(e, t), "selection") : dr();
 }
-function pr() {
-  lr && Q(lr, "home");
+function dr() {
+  cr && J(cr, "home");
 }
-function al(e) {
-  let [t, n] = we.peek();
-  Q(Ai(e, Ht(), Ie.peek(), t / n), e);
+function sl(e) {
+  let [t, n] = ke.peek();
+  J(Oi(e, At(), Ve.peek(), t / n), e);
 }
-function sl() {
-  for (let e = ze.length - 1; e >= 0; e--)
-    if (!ze[e].height) return Q(ze[e], "inside");
-  pr();
+function ll() {
+  for (let e = Xe.length - 1; e >= 0; e--)
+    if (!Xe[e].height) return J(Xe[e], "inside");
+  dr();
 }
-var ll = N(() => {
+var ul = N(() => {
   let e = he.value;
   if (!e?.height) return null;
-  let t = wt(e, 2, 2), n = _t(Ht()).map((s) => q(O(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ie.value), i = Math.min(..._t(Ht()).map((s) => q(s, Ie.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ie.value) + r * o - i : null;
+  let t = _t(e, 2, 2), n = yt(At()).map((s) => q(O(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...yt(At()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function ul(e) {
+function cl(e) {
   let t = oe();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var dr = g("spot"), ca = () => {
-}, cl = (e) => {
-  ca = e;
-}, fa = (e) => ca(e);
-function mr(e) {
-  G.value = G.peek() === e ? null : e;
-}
-var ro = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+var mr = g("spot"), ha = () => {
+}, fl = (e) => {
+  ha = e;
+}, va = (e) => ha(e);
 function hr(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? qe(e.box) : null);
+  X.value = X.peek() === e ? null : e;
+}
+var ao = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function vr(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Ue(e.box) : null);
 }
 
 // src/actions.ts
-var pt = g(null), Ae = g("lamps"), gr = g("");
-function ao(e) {
-  let t = Jn();
-  if (t) return le(t, "warn");
-  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), K(e);
+var ft = g(null), Ie = g("lamps"), br = g("");
+function lo(e) {
+  let t = to();
+  if (t) return se(t, "warn");
+  (e.do === "look" ? e.what === "recall" : e.do !== "save") && sr(), K(e);
 }
-var fl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), pl = {
+var pl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), dl = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = pl, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), dl = () => at.peek().false_color ?? vr;
-function br() {
+}, gr = dl, ga = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ml = () => at.peek().false_color ?? gr;
+function yr() {
   let e = at.peek().false_color;
-  e && (vr = e), At({ false_color: e ? null : pa(vr) });
+  e && (gr = e), It({ false_color: e ? null : ga(gr) });
 }
-function so(e) {
+function uo(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
-  At({ ev: t });
+  It({ ev: t });
 }
-function ml() {
+function hl() {
   let e = oe();
   if (!e) return;
-  let t = ro(St);
-  Ve("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
+  let t = ao(xt);
+  Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var hl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
-async function yr(e) {
+var vl = () => lo({ do: "look", what: "store", name: `Look ${ao(St) + 1}` });
+async function _r(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1700,56 +1700,56 @@ async function yr(e) {
     let n = document.createElement("textarea");
     n.value = e, n.className = "spoken", document.body.append(n), n.select(), t = document.execCommand("copy"), n.remove();
   }
-  le(t ? "Copied." : `Copy it by hand: ${e}`);
+  se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Nt = /* @__PURE__ */ new Map(), io = null;
-function vl(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), io && te(io), io = null;
+var Ft = /* @__PURE__ */ new Map(), so = null;
+function gl(e) {
+  Ft = new Map(e.map((t) => [t.id, t])), so && B(so), so = null;
 }
-var gl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
-function te(e) {
-  let t = Nt.get(e);
-  Nt.size || (io = e);
+var bl = () => [...Ft.values()], ba = (e) => Ft.get(e), gn = (e) => Ft.get(e)?.why?.() ?? null;
+function B(e) {
+  let t = Ft.get(e);
+  Ft.size || (so = e);
   let n = t?.why?.();
-  n ? le(n, "warn") : t?.run();
+  n ? se(n, "warn") : t?.run();
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var bl = /* @__PURE__ */ Symbol.for("pv"), yl = 0;
+var yl = /* @__PURE__ */ Symbol.for("pv"), _l = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: bl, __v: --yl, __i: -1, __u: 0 };
-  return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
+  var u = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: yl, __v: --_l, __i: -1, __u: 0 };
+  return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
 }
 
 // src/load.tsx
-var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
-function J({ part: e }) {
+var _a = g(null), ya = !1, wr = (e) => _a.value?.[e];
+function Z({ part: e }) {
   let t = wr(e);
   return t ? l(t, {}) : null;
 }
-function va() {
-  T(() => {
-    if (ma || !(W.value ?? P.value)) return;
-    ma = !0;
+function wa() {
+  L(() => {
+    if (ya || !(W.value ?? E.value)) return;
+    ya = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ha.value = t);
+      import(e).then((t) => _a.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, ga = {
+var co = 0.3048, ka = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: lo, "'": lo, in: lo / 12, '"': lo / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: co, "'": co, in: co / 12, '"': co / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -1759,29 +1759,29 @@ var lo = 0.3048, ga = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, _l = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+}, wl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
 function kr(e) {
-  let t = _l.exec(e);
+  let t = wl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ba(e, t, n) {
+function xa(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
     let p = kr(o);
     if (!p) return null;
-    let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
-    if (u === void 0) return null;
-    r += a * p.value * u, o = p.rest.slice(c.length).trim(), i = !1;
+    let u = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
+    if (c === void 0) return null;
+    r += a * p.value * c, o = p.rest.slice(u.length).trim(), i = !1;
   }
   return i ? null : r;
 }
-function ya(e, t, n) {
-  let o = ga[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
-    apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
+function Sa(e, t, n) {
+  let o = ka[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+    apply: (x) => Math.min(o.high, Math.max(o.low, y(x)))
   });
   if (!r) return { why: `Type ${o.say}` };
   let s = r.toLowerCase();
@@ -1790,75 +1790,76 @@ function ya(e, t, n) {
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
     let y = kr(p[1].trim());
-    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
+    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((x) => x * 2 ** y.value);
   }
-  let c = /^([*/×÷])\s*(.+)$/.exec(r);
-  if (c) {
-    let y = kr(c[2]);
+  let u = /^([*/×÷])\s*(.+)$/.exec(r);
+  if (u) {
+    let y = kr(u[2]);
     if (!y) return i;
-    let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
-    return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
+    let x = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, S = y.value * x;
+    return !Number.isFinite(S) || S === 0 && /[/÷]/.test(u[1]) ? i : a((w) => /[/÷]/.test(u[1]) ? w / S : w * S);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ba(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = xa(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = ba(m, { ...ga.flux }, NaN);
+    let y = xa(m, { ...ka.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
   let b = f;
   return d ? a((y) => d[1] === "-" ? y - b : y + b) : b < o.low || b > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => b);
 }
-function B(e, t = 0) {
+function G(e, t = 0) {
   if (!Number.isFinite(e)) return "–";
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Xe(e) {
+function Ye(e) {
   let t = Math.abs(e);
-  return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
+  return G(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
 function Re(e) {
   let t = e * 100;
-  return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
+  return G(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function vn(e, t) {
+function bn(e, t) {
   switch (t) {
     case "level":
       return `${Re(e)} %`;
     case "flux":
-      return `${Xe(e)} lm`;
+      return `${Ye(e)} lm`;
     case "kelvin":
-      return `${B(e)} K`;
+      return `${G(e)} K`;
     case "angle":
-      return `${B(e, 1)}°`;
+      return `${G(e, 1)}°`;
     case "length":
-      return `${B(e, 2)} m`;
+      return `${G(e, 2)} m`;
     case "lux":
-      return `${Xe(e)} lx`;
+      return `${Ye(e)} lx`;
     case "seconds":
-      return `${B(e, 1)} s`;
+      return `${G(e, 1)} s`;
     case "ev":
-      return B(e, 1);
+      return G(e, 1);
     case "share":
-      return B(e, 2);
+      return G(e, 2);
     case "number":
       return String(Math.round(e * 1e4) / 1e4);
   }
 }
-function dt(e, t = !0) {
-  let n = Vt.value === "fc", o = n ? e / 10.7639 : e;
-  return Xe(o) + (t ? n ? " fc" : " lx" : "");
+function Ma(e, t = !0) {
+  let n = Lt.value === "fc", o = n ? e / 10.7639 : e;
+  return Ye(o) + (t ? n ? " fc" : " lx" : "");
 }
+var pt = (e, t = !0) => Ma(e * or.value, t);
 
 // src/field.tsx
-function gn(e) {
-  let t = nt(null), n = nt(null), o = ne(null), r = ne(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : vn(e.value, e.quantity));
-  Ee(() => {
+function yn(e) {
+  let t = nt(null), n = nt(null), o = ne(null), r = ne(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : bn(e.value, e.quantity));
+  Ce(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = ya(t.value, e.quantity, e.flux);
+    let d = Sa(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1876,10 +1877,10 @@ function gn(e) {
     }
   }, p = (d) => {
     !e.scrub || e.disabled || d.button !== 0 || document.activeElement === o.current || (r.current = { x: d.clientX, last: d.clientX, moved: !1 }, o.current?.setPointerCapture(d.pointerId), d.preventDefault());
-  }, c = (d) => {
+  }, u = (d) => {
     let m = r.current;
     !m || !e.scrub || !m.moved && Math.abs(d.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((d.clientX - m.last) * (e.step ?? 1) * (d.shiftKey ? 0.1 : d.altKey ? 10 : 1)), m.last = d.clientX);
-  }, u = (d) => {
+  }, c = (d) => {
     let m = r.current;
     r.current = null, m && (m.moved ? d.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
   };
@@ -1909,9 +1910,9 @@ function gn(e) {
         },
         onKeyDown: s,
         onPointerDown: p,
-        onPointerMove: c,
-        onPointerUp: u,
-        onPointerCancel: u
+        onPointerMove: u,
+        onPointerUp: c,
+        onPointerCancel: c
       }
     ),
     n.value && l("span", { class: "why", role: "alert", id: `${e.id ?? e.label}-why`.replace(/\s/g, "-"), children: n.value })
@@ -1924,18 +1925,18 @@ function z({ name: e }) {
 }
 
 // src/menu.tsx
-function qt({ id: e, label: t, title: n, children: o }) {
+function Nt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
     let s = document.getElementById(e), p = a.getBoundingClientRect();
     s?.style.setProperty("left", `${Math.max(8, Math.min(p.left, innerWidth - 296))}px`), s?.style.setProperty("top", `${p.bottom + 4}px`);
   };
-  return l(X, { children: [
+  return l(Y, { children: [
     l("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
 function xr({ id: e, label: t }) {
-  let n = _r(e), o = da(e);
+  let n = gn(e), o = ba(e);
   return l(
     "button",
     {
@@ -1943,7 +1944,7 @@ function xr({ id: e, label: t }) {
       "aria-disabled": n !== null,
       title: n ?? void 0,
       onClick: (r) => {
-        r.currentTarget.closest("[popover]")?.hidePopover(), te(e);
+        r.currentTarget.closest("[popover]")?.hidePopover(), B(e);
       },
       children: [
         l("span", { children: t ?? o?.label }),
@@ -1954,154 +1955,127 @@ function xr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var _a = {
+var Ca = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function wa() {
+function Ea() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
-    l(qt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(J, { part: "PageItems" }) }),
-    l("h1", { title: o.file || ee.value?.file, children: [
-      ee.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
+    l(Nt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(Z, { part: "PageItems" }) }),
+    l("h1", { title: o.file || te.value?.file, children: [
+      te.value?.name ?? "Lampyris",
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": Ca[o.state], title: `${Ca[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
-      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => te("undo"), children: l(z, { name: "undo" }) }),
-      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => te("redo"), children: l(z, { name: "redo" }) })
+      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => B("undo"), children: l(z, { name: "undo" }) }),
+      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => B("redo"), children: l(z, { name: "redo" }) })
     ] }),
-    l(qt, { id: "view-menu", label: l(X, { children: [
+    l(Nt, { id: "view-menu", label: l(Y, { children: [
       "View ",
       l(z, { name: "down" })
-    ] }), title: "View", children: l(J, { part: "ViewItems" }) }),
+    ] }), title: "View", children: l(Z, { part: "ViewItems" }) }),
     l("span", { class: "group wide", children: [
-      l("button", { "aria-pressed": !1, onClick: () => te("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
-      l("button", { onClick: () => te("inside"), title: "Inside (Shift+0)", children: "Inside" })
+      l("button", { "aria-pressed": !1, onClick: () => B("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      l("button", { onClick: () => B("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     l("span", { class: "gap" }),
-    l(qt, { id: "seeing-menu", label: l(X, { children: [
+    l(Nt, { id: "seeing-menu", label: l(Y, { children: [
       "Picture ",
       l(z, { name: "down" })
-    ] }), title: "Picture: tone, white, figures", children: l(J, { part: "SeeingItems" }) }),
-    l("button", { "aria-pressed": e.false_color !== null, onClick: br, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => te("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+    ] }), title: "Picture: tone, white, figures", children: l(Z, { part: "SeeingItems" }) }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: yr, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => B("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => so(1), children: l(z, { name: "minus" }) }),
+      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => uo(1), children: l(z, { name: "minus" }) }),
       l("label", { children: [
         l("span", { "aria-hidden": "true", children: "EV" }),
-        l(gn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
+        l(yn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => It({ ev: i(e.ev ?? 0) }) })
       ] }),
-      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => so(-1), children: l(z, { name: "plus" }) }),
+      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => uo(-1), children: l(z, { name: "plus" }) }),
       l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => K({ do: "expose" }), children: l(z, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": _e.value,
+        "aria-pressed": we.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => _e.value = !_e.value,
-        children: l(z, { name: _e.value ? "lock" : "unlock" })
+        onClick: () => we.value = !we.value,
+        children: l(z, { name: we.value ? "lock" : "unlock" })
       }
     ),
-    pe.value === "edit" && l("button", { class: "wide", onClick: () => pt.value = "share", children: "Share" }),
-    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => pt.value = "help", children: l(z, { name: "help" }) }),
-    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => pt.value = "palette", children: l(z, { name: "search" }) }),
+    pe.value === "edit" && l("button", { class: "wide", onClick: () => ft.value = "share", children: "Share" }),
+    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ft.value = "help", children: l(z, { name: "help" }) }),
+    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ft.value = "palette", children: l(z, { name: "search" }) }),
     l(
       "button",
       {
         class: "icon narrow",
-        "aria-label": Ae.value === "inspector" ? "Lamps" : "Inspector",
-        title: Ae.value === "inspector" ? "Lamps" : "Inspector",
-        onClick: () => Ae.value = Ae.value === "inspector" ? "lamps" : "inspector",
-        children: l(z, { name: Ae.value === "inspector" ? "lamps" : "sliders" })
+        "aria-label": Ie.value === "inspector" ? "Lamps" : "Inspector",
+        title: Ie.value === "inspector" ? "Lamps" : "Inspector",
+        onClick: () => Ie.value = Ie.value === "inspector" ? "lamps" : "inspector",
+        children: l(z, { name: Ie.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
 }
 
 // src/highlight.ts
-function uo(e) {
-  xe.value = e, K({ do: "solo", lamps: e });
+function fo(e) {
+  _e.value = e, K({ do: "solo", lamps: e });
 }
 function Sr(e) {
-  let t = xe.peek(), n = e.every((o) => t.includes(o));
-  uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+  let t = _e.peek(), n = e.every((o) => t.includes(o));
+  fo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var wl = () => Sr(ue.peek()), Mr = () => uo([]), bn = null;
-function co(e) {
-  e && bn === null && ue.peek().length ? (bn = xe.peek(), uo(ue.peek())) : !e && bn !== null && (uo(bn), bn = null);
+var kl = () => Sr(le.peek()), Mr = () => fo([]), _n = null;
+function po(e) {
+  e && _n === null && le.peek().length ? (_n = _e.peek(), fo(le.peek())) : !e && _n !== null && (fo(_n), _n = null);
 }
 
 // src/lights.ts
-var Ye = g(null), Cr = () => {
-}, xa = () => {
+var wn = g(null), mo = (e, t, n) => {
+  wn.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 };
+}, Cr = () => {
+  wn.value = null;
 };
-function fo(e, t, n) {
-  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ka(n);
-  let o = !0, r = 0;
-  xa = T(() => {
-    for (let [, i] of M.all()) st(i);
-    if (o) {
-      o = !1;
-      return;
-    }
-    clearTimeout(r), r = window.setTimeout(() => {
-      let i = re(() => Ye.value);
-      i && ka(i.hit);
-    }, 250);
-  });
-}
-function ka(e) {
-  Cr(), Cr = Me("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Ye.peek();
-    n && (Ye.value = {
-      ...n,
-      lux: t.lux ?? n.lux,
-      lamps: t.lamps ?? n.lamps,
-      done: t.done !== !1
-    });
-  });
-}
-function po() {
-  Cr(), xa(), Ye.value = null;
-}
 
 // src/keys.ts
-var La = g("W A S D"), Er = {
+var Aa = g("W A S D"), Er = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, kl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
-function Va(e) {
+}, xl = 1.8, qt = /* @__PURE__ */ new Set(), ho = !1, vo = 1, Tr = !1, Pr = 0;
+function Ha(e) {
   let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
-  if (Pr = e, !jt.size) {
+  if (Pr = e, !qt.size) {
     Tr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let s of jt) {
-    let [p, c, u] = Er[s];
-    n += p, o += c, r += u;
+  for (let s of qt) {
+    let [p, u, c] = Er[s];
+    n += p, o += u, r += c;
   }
-  let i = Math.max(1, Ke(...Ht()) / 12), a = kl * t * ho * Math.min(i, 6);
-  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(Va);
+  let i = Math.max(1, He(...At()) / 12), a = xl * t * vo * Math.min(i, 6);
+  (n || o || r) && ma(n * a, o * a, r * a), requestAnimationFrame(Ha);
 }
-function yn(e) {
-  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(Va));
+function kn(e) {
+  qt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(Ha));
 }
-var Sa = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Ma() {
+var Ta = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Pa() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var xl = {
+var Sl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2121,7 +2095,7 @@ var xl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ca = {
+}, $a = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2129,7 +2103,7 @@ var xl = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ea = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ta = {
+}, La = { Comma: "darker", Period: "brighter", Slash: "expose" }, Va = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2138,112 +2112,112 @@ var xl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function Sl(e) {
+function Ml(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "g" ? e.shiftKey ? "ungroup" : "group" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function Ml() {
-  G.peek() ? G.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function Cl() {
+  X.peek() ? X.value = null : wn.peek() ? Cr() : de.peek() ? de.value = null : E.peek() ? no() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Pa(e) {
+function Ia(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Dt(-t * 24, n * 24, 3) : e.shiftKey ? io(Ot(), -t * 0.05, n * 0.05) : ro(-t * 0.06, n * 0.06), !0);
 }
-function $a(e) {
-  let t = oe(), n = ft();
-  !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
+function Ra(e) {
+  let t = oe(), n = ct();
+  !t || !n || (t.height ? J(jn(t, n, n.width / 2, n.height / 2, e)) : J(Un(t, t.target, e, 0.3, !0)));
 }
-var Ia = () => !1, Cl = (e) => {
-  Ia = e;
+var Ka = () => !1, El = (e) => {
+  Ka = e;
 };
-function El(e) {
+function Tl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
-  if (!Sa(e.target) && Ia(e)) return e.preventDefault();
+  if (!Ta(e.target) && Ka(e)) return e.preventDefault();
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return Ml();
-  if (Sa(e.target)) {
-    t && e.key.toLowerCase() === "k" && De(e, "palette");
+  if (e.key === "Escape") return Cl();
+  if (Ta(e.target)) {
+    t && e.key.toLowerCase() === "k" && Fe(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (Ma() && Pa(e)) return e.preventDefault();
-    let i = Sl(e);
-    i && De(e, i);
+    if (Pa() && Ia(e)) return e.preventDefault();
+    let i = Ml(e);
+    i && Fe(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return De(e, "back");
-    if (e.key === "ArrowRight") return De(e, "forth");
-    if (i === "0") return De(e, "store-view");
+    if (e.key === "ArrowLeft") return Fe(e, "back");
+    if (e.key === "ArrowRight") return Fe(e, "forth");
+    if (i === "0") return Fe(e, "store-view");
     if (i) {
       e.preventDefault();
-      let a = St.all()[Number(i) - 1];
-      a && Q(a[1], a[1].name ?? "view");
+      let a = xt.all()[Number(i) - 1];
+      a && J(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
+    if (e.code === "KeyH" && Fe(e, "unhide"), !(e.code in Er)) return;
   }
-  let n = Ma();
-  if (n && Pa(e)) return e.preventDefault();
+  let n = Pa();
+  if (n && Ia(e)) return e.preventDefault();
   if (n && e.code in Er)
-    return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return $a(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return $a(1 / 0.85);
-  if (!er.peek()) return;
-  if (e.shiftKey && Ta[e.code]) return De(e, Ta[e.code]);
-  if (mo && /^\d$/.test(e.key)) {
-    e.preventDefault(), mo = !1;
-    let i = Mt.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && ao({ do: "look", id: i, what: "recall", seconds: nr.peek() });
+    return vo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, kn(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return Ra(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Ra(1 / 0.85);
+  if (!tr.peek()) return;
+  if (e.shiftKey && Va[e.code]) return Fe(e, Va[e.code]);
+  if (ho && /^\d$/.test(e.key)) {
+    e.preventDefault(), ho = !1;
+    let i = St.ids.peek()[Number(e.key) - 1];
+    i !== void 0 && lo({ do: "look", id: i, what: "recall", seconds: rr.peek() });
     return;
   }
-  if (mo = e.key.toLowerCase() === "j", mo) return le("Recall a look: now its digit.");
-  if (!e.shiftKey && /^\d$/.test(e.key) && ue.peek().length) {
-    e.preventDefault(), gr.value = e.key;
+  if (ho = e.key.toLowerCase() === "j", ho) return se("Recall a look: now its digit.");
+  if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
+    e.preventDefault(), br.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ea[e.code]) return De(e, Ea[e.code]);
+  if (!e.shiftKey && e.key !== "?" && La[e.code]) return Fe(e, La[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
-  if (o === "l" && !e.shiftKey) return void (e.repeat || te("highlight"));
-  if (o === "p" && e.shiftKey) return Tl();
-  let r = e.shiftKey && Ca[o] ? Ca[o] : xl[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
+  if (o === "l" && !e.shiftKey) return void (e.repeat || B("highlight"));
+  if (o === "p" && e.shiftKey) return Pl();
+  let r = e.shiftKey && $a[o] ? $a[o] : Sl[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Fe(e, r);
 }
-function Tl() {
-  let [e, t] = we.peek(), n = Ot(e / 2, t / 2);
-  n && Me("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
+function Pl() {
+  let [e, t] = ke.peek(), n = Kt(e / 2, t / 2);
+  n && De("point", n, (o) => o.hit && mo(e / 2, t / 2, o));
 }
-function De(e, t) {
-  e.preventDefault(), te(t);
+function Fe(e, t) {
+  e.preventDefault(), B(t);
 }
-function Pl(e) {
-  jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
+function $l(e) {
+  qt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && po(!1), e.key === "Shift" && (vo = 1);
 }
-function Aa() {
-  addEventListener("keydown", El), addEventListener("keyup", Pl), addEventListener("blur", () => {
-    jt.clear(), co(!1), dn(!1);
+function Oa() {
+  addEventListener("keydown", Tl), addEventListener("keyup", $l), addEventListener("blur", () => {
+    qt.clear(), po(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    La.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Aa.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function $l(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
-  ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
+function Ll(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) qt.delete(n);
+  vo = Math.min(1, Math.hypot(e, t)), e > 0.2 && kn("KeyW"), e < -0.2 && kn("KeyS"), t < -0.2 && kn("KeyA"), t > 0.2 && kn("KeyD");
 }
 
 // src/levels.ts
-var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
-  let t = Yn.peek() === "square" ? e * e : e;
+var $r = (e) => Math.min(1, eo.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
+  let t = eo.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Ll = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+}, Vl = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.level ?? 0, go = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.name ?? "";
 function Vr(e) {
-  let t = ue.peek();
-  return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
+  let t = le.peek();
+  return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ra(e, t, n) {
+function Da(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2252,10 +2226,10 @@ function Ra(e, t, n) {
   }
   return { lamps: r };
 }
-var _n = class {
+var xn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Ll(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
+    this.was = this.now = Vl(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${go(t)} level`);
   }
   strip;
   gesture;
@@ -2263,80 +2237,133 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ra(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Da(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
+    let t = this.from.size > 1 ? oo([...this.from.keys()]) : go(this.strip);
     this.gesture.end(`${t} ${Re(this.was)} → ${Re(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function go(e, t) {
-  let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ra(e, t, n));
+function bo(e, t) {
+  let n = new Map(Vr(e).map((o) => [o, k.get(o)?.level ?? 0]));
+  ar(`level ${e.kind} ${e.id}`, `${go(e)} level`, Da(e, t, n));
 }
 function Ir(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
-    let i = M.get(r);
+    let i = k.get(r);
     return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Re(M.get(e[0])?.level ?? 0)} → ${Re(n[e[0]].level)} %` : " level";
-  Ve(`${eo(e)}${o}`, { lamps: n });
-}
-function Ar(e, t) {
-  let n = t(D.get(e)?.level ?? 0);
-  Ve(`${D.get(e)?.name ?? "Group"} ${Re(n)} %`, { groups: { [e]: { level: n } } });
+  })), o = e.length === 1 ? ` ${Re(k.get(e[0])?.level ?? 0)} → ${Re(n[e[0]].level)} %` : " level";
+  Le(`${oo(e)}${o}`, { lamps: n });
 }
 function Rr(e, t) {
-  let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Ve(n, { groups: { [e.id]: { on: t } } }) : Ve(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
+  let n = t(D.get(e)?.level ?? 0);
+  Le(`${D.get(e)?.name ?? "Group"} ${Re(n)} %`, { groups: { [e]: { level: n } } });
+}
+function Ar(e, t) {
+  let n = `${go(e)} ${t ? "on" : "off"}`;
+  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
+}
+
+// src/row.tsx
+function Hr(e) {
+  let t = e.color;
+  return t.mode === "kelvin" ? `${G(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
+}
+var yo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Kr(e, t, n) {
+  let { kind: o, id: r } = e, i = o === "lamp" ? k.get(r) : void 0, a = o === "group" ? D.get(r) : void 0, s = i ?? a;
+  if (!s) return null;
+  let p = a?.lamps ?? [r], u = E.value?.kind === o && E.value.ids.includes(r), c = _e.value.length > 0 && !p.some((m) => _e.value.includes(m)), d = me.value?.kind === o && me.value.id === r;
+  return {
+    row: e,
+    lamp: i,
+    group: a,
+    entry: s,
+    members: p,
+    selected: u,
+    flux: p.reduce((m, f) => m + (k.get(f)?.flux ?? 0) * (a ? k.get(f)?.level ?? 0 : 1), 0),
+    lumens: Wo(p),
+    stop: u ? 0 : -1,
+    frame: {
+      role: "listitem",
+      "aria-setsize": n,
+      "aria-posinset": t + 1,
+      "data-row": `${o}-${r}`,
+      onPointerEnter: () => me.value = { kind: o, id: r },
+      onPointerLeave: () => me.value = null
+    },
+    state: `depth-${e.depth} ${o} ${u ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${c ? "muted" : ""} ${d ? "under" : ""}`
+  };
+}
+function Or({ of: { row: e, entry: t, stop: n } }) {
+  let o = Ge.value;
+  return l("button", { class: "icon power", tabIndex: n, "aria-pressed": t.on, disabled: o !== null, "aria-label": `${t.name} on`, title: o ?? (t.on ? "On (O)" : "Off (O)"), onClick: () => Ar(e, !t.on), children: l(z, { name: "power" }) });
+}
+function Dr({ of: { row: e, entry: t, lamp: n, flux: o, selected: r }, label: i, tabIndex: a }) {
+  let s = () => r && le.peek().length > 1 ? le.peek() : [e.id];
+  return l(
+    yn,
+    {
+      label: `${t.name} ${i}`,
+      quantity: "level",
+      value: t.level,
+      flux: o,
+      step: 0.01,
+      disabled: Ge.value !== null,
+      why: Ge.value,
+      tabIndex: a,
+      set: (p) => n ? Ir(s(), p) : Rr(e.id, p)
+    }
+  );
 }
 
 // src/swatch.ts
-var Vl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Il = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Al = (e) => Math.round(255 * Vl(Math.max(0, Math.min(1, e))));
-function Hr(e) {
+var Il = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Rl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Al = (e) => Math.round(255 * Il(Math.max(0, Math.min(1, e))));
+function Fr(e) {
   let t = Math.max(...e, 1e-6);
-  return Ha(e.map((n) => n / t));
+  return Fa(e.map((n) => n / t));
 }
-function Ha(e) {
+function Fa(e) {
   return `#${e.map((t) => Al(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Rl(e) {
-  let t = (n) => Il(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Hl(e) {
+  let t = (n) => Rl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Hl = (e) => 1e6 / e;
+var Kl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ka = -1e9;
-addEventListener("scroll", () => Ka = performance.now(), { capture: !0, passive: !0 });
+var Na = -1e9;
+addEventListener("scroll", () => Na = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function Kr(e) {
-  let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (c) => {
-    if (c.button !== 0 || e.disabled) return;
-    let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
-    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
-  }, i = (c) => {
-    let u = n.current;
-    if (!u || u.id !== c.pointerId) return;
-    let d = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (d.height - 16) : (c.clientX - u.x) / (d.width - 12);
-    u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(Ut(u.at));
-  }, a = (c) => {
-    n.current?.id === c.pointerId && (n.current = null, c.type === "pointercancel" ? e.cancel?.() : e.end?.());
-  }, s = (c) => {
-    if (c.key === "Escape" && n.current) {
-      n.current = null, e.cancel?.(), c.stopPropagation();
+function Nr(e) {
+  let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (u) => {
+    if (u.button !== 0 || e.disabled) return;
+    let c = u.currentTarget.getBoundingClientRect(), d = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
+    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
+  }, i = (u) => {
+    let c = n.current;
+    if (!c || c.id !== u.pointerId) return;
+    let d = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (d.height - 16) : (u.clientX - c.x) / (d.width - 12);
+    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(Ut(c.at));
+  }, a = (u) => {
+    n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
+  }, s = (u) => {
+    if (u.key === "Escape" && n.current) {
+      n.current = null, e.cancel?.(), u.stopPropagation();
       return;
     }
-    let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
-    u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
-  }, p = (c) => {
-    if (performance.now() - Ka < 400 || c.ctrlKey) return;
-    c.preventDefault();
-    let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
-    u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
+    let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], d = null;
+    c && (d = Ut(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (d = 0), u.key === "End" && (d = 1), !(d === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(d));
+  }, p = (u) => {
+    if (performance.now() - Na < 400 || u.ctrlKey) return;
+    u.preventDefault();
+    let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
+    c && e.on(Ut(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
   };
   return l(
     "input",
@@ -2357,173 +2384,139 @@ function Kr(e) {
       onPointerMove: i,
       onPointerUp: a,
       onPointerCancel: a,
-      onMouseDown: (c) => c.preventDefault(),
-      onTouchStart: (c) => c.cancelable && c.preventDefault(),
+      onMouseDown: (u) => u.preventDefault(),
+      onTouchStart: (u) => u.cancelable && u.preventDefault(),
       onKeyDown: s,
       onWheel: p,
       onDblClick: () => e.reset?.(),
-      onInput: (c) => {
-        n.current ? c.currentTarget.value = String(e.value) : e.on(Number(c.currentTarget.value));
+      onInput: (u) => {
+        n.current ? u.currentTarget.value = String(e.value) : e.on(Number(u.currentTarget.value));
       }
     }
   );
 }
 
 // src/faderrow.tsx
-function Oa(e) {
-  let t = e.color;
-  return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
-}
-var Or = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Da({ row: e, index: t, count: n }) {
-  let o = ne(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
-  if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => xe.value.includes(_)), f = xe.value.length > 0 && !p.some((_) => xe.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
-    begin: () => o.current = new _n(r),
-    end: () => {
-      o.current?.end(), o.current = null;
-    },
-    cancel: () => {
-      o.current?.cancel(), o.current = null;
-    }
+function qa({ row: e, index: t, count: n }) {
+  let o = ne(null), r = Kr(e, t, n);
+  if (!r) return null;
+  let { lamp: i, group: a, entry: s, members: p, lumens: u } = r, c = p.length > 0 && p.every((m) => _e.value.includes(m)), d = (m) => () => {
+    o.current?.[m](), o.current = null;
   };
-  return l(
-    "div",
-    {
-      class: `fader-row depth-${e.depth} ${e.kind} ${y}`,
-      role: "listitem",
-      "aria-setsize": n,
-      "aria-posinset": t + 1,
-      "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => me.value = null,
-      children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(z, { name: "power" }) }),
-        l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Fa(e.id), children: l(z, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Or(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
-            l("span", { children: s.name }),
-            a && l("small", { children: p.length }),
-            i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Or(i), children: [
-              "↻",
-              l("span", { class: "spoken", children: "re-trace" })
-            ] })
-          ] }),
-          i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Hr(i.swatch) } }),
-            Oa(i)
-          ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(z, { name: "solo" }) })
-        ] }),
-        l("div", { class: "bottom", children: [
-          l(
-            Kr,
-            {
-              label: `${s.name} level`,
-              class: "level",
-              value: $r(s.level),
-              text: `${Re(s.level)} %, ${Xe(u)} lumen`,
-              notch: 0.01,
-              disabled: w !== null,
-              on: (_) => {
-                let C = Lr(_);
-                o.current ? o.current.to(C) : go(r, C);
-              },
-              reset: () => go(r, 1),
-              ...k
-            }
-          ),
-          l(
-            gn,
-            {
-              label: `${s.name} level, typed`,
-              quantity: "level",
-              value: s.level,
-              flux: c,
-              step: 0.01,
-              disabled: w !== null,
-              why: w,
-              tabIndex: x,
-              set: (_) => i ? Ir(d && ue.peek().length > 1 ? ue.peek() : [e.id], _) : Ar(e.id, _)
-            }
-          ),
-          l("span", { class: "lumens", children: vn(u, "flux") })
+  return l("div", { class: `fader-row ${r.state}`, ...r.frame, children: [
+    l(Or, { of: r }),
+    l("div", { class: "top", children: [
+      a && l("button", { class: "icon fold", "aria-expanded": !dt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ua(e.id), children: l(z, { name: dt.value.has(e.id) ? "right" : "down" }) }),
+      l("button", { class: "row-name", "aria-pressed": r.selected, title: i ? `${i.name}: ${yo(i)}` : s.name, onClick: (m) => qr(m, e.kind, e.id), children: [
+        l("span", { children: s.name }),
+        a && l("small", { children: p.length }),
+        i?.parked && l("small", { children: "parked" }),
+        i && !i.free && l("small", { class: "traced", title: yo(i), children: [
+          "↻",
+          l("span", { class: "spoken", children: "re-trace" })
         ] })
-      ]
-    }
-  );
+      ] }),
+      i && l("span", { class: "tint", children: [
+        l("i", { class: "swatch", style: { background: Fr(i.swatch) } }),
+        Hr(i)
+      ] }),
+      l("button", { class: "icon solo", tabIndex: r.stop, "aria-pressed": c, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(z, { name: "solo" }) })
+    ] }),
+    l("div", { class: "bottom", children: [
+      l(
+        Nr,
+        {
+          label: `${s.name} level`,
+          class: "level",
+          value: $r(s.level),
+          text: `${Re(s.level)} %, ${Ye(u)} lumen`,
+          notch: 0.01,
+          disabled: Ge.value !== null,
+          on: (m) => {
+            let f = Lr(m);
+            o.current ? o.current.to(f) : bo(e, f);
+          },
+          reset: () => bo(e, 1),
+          begin: () => o.current = new xn(e),
+          end: d("end"),
+          cancel: d("cancel")
+        }
+      ),
+      l(Dr, { of: r, label: "level, typed", tabIndex: r.stop }),
+      l("span", { class: "lumens", children: bn(u, "flux") })
+    ] })
+  ] });
 }
 
 // src/virtual.tsx
-var Na = 4;
-function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+var ja = 4;
+function Ur({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = ne(null), s = nt(0), p = nt(600);
-  Ee(() => {
+  Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
-  }, []), Ee(() => {
+  }, []), Ce(() => {
     let d = a.current;
     if (!d || r === void 0 || r < 0) return;
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Na), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Na);
-  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
+  let u = Math.max(0, Math.floor(s.value / t) - ja), c = Math.min(e, Math.ceil((s.value + p.value) / t) + ja);
+  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (d, m) => n(u + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), ja = N(() => {
-  let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
-  if (yo.value !== "group" && Lt.value === "sheet") {
-    let s = yo.value, p = [...r];
-    return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
+var _o = g(""), dt = g(/* @__PURE__ */ new Set()), wo = g("group"), Ba = N(() => {
+  let e = _o.value.trim().toLowerCase(), t = k.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+  if (wo.value !== "group" && $t.value === "sheet") {
+    let s = wo.value, p = [...r];
+    return p.sort(([, u], [, c]) => s === "name" ? u.name.localeCompare(c.name, "en", { numeric: !0 }) : c[s] - u[s]), p.map(([u]) => ({ kind: "lamp", id: u, depth: 0 }));
   }
   let i = [], a = /* @__PURE__ */ new Set();
   for (let [s, p] of n) {
-    p.lamps.forEach((u) => a.add(u));
-    let c = p.lamps.filter((u) => r.has(u));
-    if (c.length) {
+    p.lamps.forEach((c) => a.add(c));
+    let u = p.lamps.filter((c) => r.has(c));
+    if (u.length) {
       if (p.lamps.length === 1) {
-        i.push({ kind: "lamp", id: c[0], depth: 0 });
+        i.push({ kind: "lamp", id: u[0], depth: 0 });
         continue;
       }
-      i.push({ kind: "group", id: s, depth: 0 }), (!mt.value.has(s) || e) && c.forEach((u) => i.push({ kind: "lamp", id: u, depth: 1 }));
+      i.push({ kind: "group", id: s, depth: 0 }), (!dt.value.has(s) || e) && u.forEach((c) => i.push({ kind: "lamp", id: c, depth: 1 }));
     }
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), qa = !1;
+}), Wa = !1;
 D.ids.subscribe((e) => {
-  qa || !e.length || (qa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  Wa || !e.length || (Wa = !0, k.ids.peek().length > 40 && (dt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Fa(e) {
-  let t = new Set(mt.peek());
-  t.delete(e) || t.add(e), mt.value = t;
+function Ua(e) {
+  let t = new Set(dt.peek());
+  t.delete(e) || t.add(e), dt.value = t;
 }
-function Dr(e, t, n) {
-  e.shiftKey ? oa(t, ja.peek().filter((o) => o.kind === t).map((o) => o.id), n) : Ge(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function qr(e, t, n) {
+  e.shiftKey ? sa(t, Ba.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Kl(e) {
+function Ol(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Ol = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Ua() {
-  let e = ja.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Kl, children: [
+var Dl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Ga() {
+  let e = Ba.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = $t.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Ol, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
-        l("small", { children: B(M.ids.value.length) })
+        l("small", { children: G(k.ids.value.length) })
       ] }),
       l("span", { class: "gap" }),
       l("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        l("button", { "aria-pressed": !r, onClick: () => Lt.value = "faders", children: "Faders" }),
-        l("button", { "aria-pressed": r, onClick: () => Lt.value = "sheet", children: "Sheet" })
+        l("button", { "aria-pressed": !r, onClick: () => $t.value = "faders", children: "Faders" }),
+        l("button", { "aria-pressed": r, onClick: () => $t.value = "sheet", children: "Sheet" })
       ] })
     ] }),
     l("div", { class: "panel-tools", children: [
@@ -2533,151 +2526,151 @@ function Ua() {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: bo.value,
-          onInput: (i) => bo.value = i.currentTarget.value,
+          value: _o.value,
+          onInput: (i) => _o.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (bo.value = "", i.stopPropagation());
+            i.key === "Escape" && (_o.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && l("select", { "aria-label": "Order", value: yo.value, onChange: (i) => yo.value = i.currentTarget.value, children: [
+      r && l("select", { "aria-label": "Order", value: wo.value, onChange: (i) => wo.value = i.currentTarget.value, children: [
         l("option", { value: "group", children: "by group" }),
         l("option", { value: "name", children: "by name" }),
         l("option", { value: "flux", children: "by flux" }),
         l("option", { value: "level", children: "by level" })
       ] }),
-      l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Ol.map((i) => l(xr, { id: i }, i)),
+      l(Nt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+        Dl.map((i) => l(xr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
         ] })
       ] })
     ] }),
-    r && l(J, { part: "SheetHead" }),
+    r && l(Z, { part: "SheetHead" }),
     l(
-      Fr,
+      Ur,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? wr("SheetRow") : Da;
+          let a = e[i], s = r ? wr("SheetRow") : qa;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
     ),
-    ue.value.length > 1 && l("p", { class: "several", children: [
-      ue.value.length,
+    le.value.length > 1 && l("p", { class: "several", children: [
+      le.value.length,
       " selected; a fader moves them in proportion",
-      P.value?.kind === "lamp" && l("button", { onClick: () => te("group"), children: "Group" }),
-      l("button", { onClick: () => te("none"), children: "None" })
+      E.value?.kind === "lamp" && l("button", { onClick: () => B("group"), children: "Group" }),
+      l("button", { onClick: () => B("none"), children: "None" })
     ] }),
-    !e.length && M.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
+    !e.length && k.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Pe.value?.stage ?? "loading"), Wa = g(!1), wn = 0;
-T(() => {
-  let e = Pe.value?.fps ?? 0;
-  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, Wa.value = wn > 0 && performance.now() - wn > 2e3;
+var Mn = g(null), Qe = g([]), Cn = g(null), Wr = g(null), jr = N(() => Te.value?.stage ?? "loading"), za = g(!1), Sn = 0;
+L(() => {
+  let e = Te.value?.fps ?? 0;
+  jr.value === "moving" && e > 6 && Pt.value < 0.4 * e && Pt.value < 5 ? Sn || (Sn = performance.now()) : Sn = 0, za.value = Sn > 0 && performance.now() - Sn > 2e3;
 });
-var Wt = N(() => {
-  switch (U.value) {
+var jt = N(() => {
+  switch (j.value) {
     case "entering":
       return "starting";
     case "open":
       break;
     default:
-      return U.value;
+      return j.value;
   }
-  return !ee.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : Wa.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
+  return !te.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : Mn.value !== null ? "broken" : Cn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Bi.value ? "all-off" : za.value ? "slow" : jr.value === "loading" ? "first" : jr.value;
 });
 Se("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      kn.value = null, Qe.value = e.lost ?? [];
+      Mn.value = null, Qe.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      le(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
+      se(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
-      kn.value = e.why ?? "The scene file cannot be read.";
+      Mn.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      xn.value = e.by ?? F.peek().name ?? "somebody else";
+      Cn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      qr.value = e;
+      Wr.value = e;
       break;
   }
 });
-Se("refused", (e) => le(e.why ?? "That could not be done.", "warn"));
-T(() => {
-  F.value.you && (xn.value = null);
+Se("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
+L(() => {
+  F.value.you && (Cn.value = null);
 });
 
 // src/probe.ts
-var _o = g(null);
-function wo(e, t, n) {
-  let o = Ot(e, t);
+var ko = g(null);
+function En(e, t, n) {
+  let o = Kt(e, t);
   if (!o) return n(null);
-  Me("point", o, (r) => n(r.hit ? r : null));
+  De("point", o, (r) => n(r.hit ? r : null));
 }
-function Ba(e) {
+function Xa(e) {
   if (!e) return "";
-  let t = [], n = M.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = xt.get(e.material)?.name;
-  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
-    let i = e.luminance[0] * (Vt.value === "fc" ? 0.2919 : 1);
-    t.push(`${Xe(i)} ${Vt.value === "fc" ? "fL" : "cd/m²"}`);
+  let t = [], n = k.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = kt.get(e.material)?.name;
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${pt(e.lux[0])} ±${pt(e.lux[1], !1)}`), e.luminance) {
+    let i = e.luminance[0] * (Lt.value === "fc" ? 0.2919 : 1);
+    t.push(`${Ye(i)} ${Lt.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var Ga = N(() => {
+var Ya = N(() => {
   W.value;
   let e = [];
-  for (let t of ae.sent.slice(-24)) {
+  for (let t of ie.sent.slice(-24)) {
     if (t.what !== "set" && t.what !== "camera") continue;
-    let n = ae.frames.find((o) => o.seq >= t.seq && o.painted);
+    let n = ie.frames.find((o) => o.seq >= t.seq && o.painted);
     n && n.painted > t.at && e.push(n.painted - (t.input || t.at));
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Dl() {
-  let e = Pe.value;
+function Fl() {
+  let e = Te.value;
   if (!e) return "starting";
-  let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
+  let t = e.error == null ? "" : ` ±${G((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
     case "loading":
       return "first look";
     case "moving":
       return `moving${t}`;
     case "refining":
-      return `${t.trim() || "refining"}${e.good_in ? `, good in ${B(e.good_in, e.good_in < 3 ? 1 : 0)} s` : ""}`;
+      return `${t.trim() || "refining"}${e.good_in ? `, good in ${G(e.good_in, e.good_in < 3 ? 1 : 0)} s` : ""}`;
     case "good":
       return `good${t}`;
     case "done":
       return `finished${t}`;
   }
 }
-function za() {
-  let e = Pe.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Qa() {
+  let e = Te.value, t = W.value?.head, n = an.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Dl()
+      Fl()
     ] }),
     l("span", { children: [
-      B(t?.batches ?? e?.batches ?? 0),
+      G(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    Ga.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Ga.value),
+    l("span", { children: j.value === "open" ? `${G(Pt.value)} fps` : "no line" }),
+    Ya.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      G(Ya.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2686,210 +2679,210 @@ function za() {
       t.height
     ] }),
     l("span", { class: "wide", children: [
-      sn.value.length,
+      an.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ba(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Xa(ko.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
-      Wn.value ?? "",
+      Xn.value ?? "",
       " ",
-      Wt.value
+      jt.value
     ] })
   ] });
 }
 
 // src/pointer.ts
-var Fl = 4, Xa = 35e-4, Nl = 0.15;
-function ql(e, t, n) {
+var Nl = 4, Ja = 35e-4, ql = 0.15;
+function Ul(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ya(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
+function Za(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, s = 0, p = 0, u = null, c = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
-  }, d = (h, v, $) => {
-    let L = Ot(h, v);
-    L && Me("point", L, (V) => {
-      let A = V;
-      A.hit && $?.(A);
+  }, d = (h, v, T) => {
+    let P = Kt(h, v);
+    P && De("point", P, ($) => {
+      let R = $;
+      R.hit && T?.(R);
     });
   }, m = (h) => {
-    let v = ft();
+    let v = ct();
     return v ? Math.max(0.2, q(O(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : ql(Xn.peek(), h.button, V);
-    A === "look" && oe()?.height && (A = "pan"), G.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
+    let [v, T] = c(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, R = P ? "look" : Ul(Zn.peek(), h.button, $);
+    R === "look" && oe()?.height && (R = "pan"), X.peek() === "marquee" && h.button === 0 && (R = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
-      y: $,
+      y: T,
       startX: v,
-      startY: $,
+      startY: T,
       moved: !1,
-      motion: A,
-      touch: L,
+      motion: R,
+      touch: P,
       shift: h.shiftKey,
-      ctrl: V.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (A === "orbit" || A === "pan" || A === "dolly") && (o = Dt(), r = m(o), d(v, $, (R) => {
-      o = R.point, r = m(R.point);
-    })), clearTimeout(s), L && n.size === 1 && (s = window.setTimeout(() => {
-      let R = n.get(h.pointerId);
-      R && !R.moved && n.size === 1 && (R.moved = !0, R.motion = "none", t.menu(R.x, R.y));
-    }, 550)), n.size === 2 && (c = b()), h.button === 1 && h.preventDefault();
+      ctrl: $.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (R === "orbit" || R === "pan" || R === "dolly") && (o = Ot(), r = m(o), d(v, T, (A) => {
+      o = A.point, r = m(A.point);
+    })), clearTimeout(s), P && n.size === 1 && (s = window.setTimeout(() => {
+      let A = n.get(h.pointerId);
+      A && !A.moved && n.size === 1 && (A.moved = !0, A.motion = "none", t.menu(A.x, A.y));
+    }, 550)), n.size === 2 && (u = b()), h.button === 1 && h.preventDefault();
   }
   function b() {
     let [h, v] = [...n.values()];
     return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
   }
   function y(h) {
-    let v = n.get(h.pointerId), [$, L] = u(h);
+    let v = n.get(h.pointerId), [T, P] = c(h);
     if (!v) {
       if (h.pointerType === "touch" || h.buttons) return;
-      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, L), 150);
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(T, P), 150);
       return;
     }
-    let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Fl)) {
-      if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
-        let R = b();
-        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
+    let [$, R] = [T - v.x, P - v.y];
+    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < Nl)) {
+      if (v.moved = !0, v.x = T, v.y = P, n.size === 2 && u) {
+        let A = b();
+        Dt(A.x - u.x, A.y - u.y, r), A.gap > 8 && u.gap > 8 && w(A.x, A.y, u.gap / A.gap, !1), u = A;
         return;
       }
-      if (G.peek() === "marquee" && v.button === 0) {
-        t.marquee([v.startX, v.startY], [$, L], !1);
+      if (X.peek() === "marquee" && v.button === 0) {
+        t.marquee([v.startX, v.startY], [T, P], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
-          let R = v.touch ? 1 : -1;
-          no(R * V * Xa, R * A * Xa);
+          let A = v.touch ? 1 : -1;
+          ro(A * $ * Ja, A * R * Ja);
           break;
         }
         case "orbit":
-          oo(o, -V * 6e-3, -A * 6e-3);
+          io(o, -$ * 6e-3, -R * 6e-3);
           break;
         case "pan":
-          Ft(V, A, r);
+          Dt($, R, r);
           break;
         case "dolly":
-          k(v.startX, v.startY, Math.exp(A * 6e-3), !1);
+          w(v.startX, v.startY, Math.exp(R * 6e-3), !1);
           break;
         case "none":
           break;
       }
     }
   }
-  function w(h) {
+  function x(h) {
     let v = n.get(h.pointerId);
-    if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (c = null), !(!v || h.type === "pointercancel")) {
+    if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (u = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
-        G.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        X.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
         return;
       }
       if (v.touch) {
-        let $ = performance.now(), L = $ - p < 320;
-        if (p = $, L) return t.double();
-        if (_e.peek()) return;
+        let T = performance.now(), P = T - p < 320;
+        if (p = T, P) return t.double(v.x, v.y);
+        if (we.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
-        let $ = v.shift ? "add" : v.ctrl ? "toggle" : "only";
-        t.click(v.x, v.y, $);
+        let T = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, T);
       }
     }
   }
-  let x = null;
-  function k(h, v, $, L) {
-    let V = oe(), A = ft();
-    if (!V || !A) return;
-    if (V.height) return Q(Fn(V, A, h, v, $));
-    let R = performance.now();
-    if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
-      x = { x: h, y: v, time: R, point: null };
-      let vt = x;
-      d(h, v, (Gr) => {
-        vt.point = Gr.point, r = m(Gr.point);
+  let S = null;
+  function w(h, v, T, P) {
+    let $ = oe(), R = ct();
+    if (!$ || !R) return;
+    if ($.height) return J(jn($, R, h, v, T));
+    let A = performance.now();
+    if (!S || A - S.time > 500 || Math.hypot(h - S.x, v - S.y) > 6) {
+      S = { x: h, y: v, time: A, point: null };
+      let ht = S;
+      d(h, v, (Qr) => {
+        ht.point = Qr.point, r = m(Qr.point);
       });
     }
-    x.time = R;
-    let [ss, ls] = [h - A.width / 2, A.height / 2 - v], us = Math.min(r, Ke(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * ss * A.pixel + A.up[vt] * ls * A.pixel) * us, Br = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, Br, $, Nl, L)), L && Ke(V.eye, Br) < 0.5 && (x = null);
+    S.time = A;
+    let [us, cs] = [h - R.width / 2, R.height / 2 - v], fs = Math.min(r, He($.eye, Ot()) + 1), xo = (ht) => $.eye[ht] + (R.forward[ht] + R.side[ht] * us * R.pixel + R.up[ht] * cs * R.pixel) * fs, Yr = S.point ?? [xo(0), xo(1), xo(2)];
+    J(Un($, Yr, T, ql, P)), P && He($.eye, Yr) < 0.5 && (S = null);
   }
-  function _(h) {
+  function M(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
-    if (Xn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
-    let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
-    k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [T, P] = [h.deltaX * v, h.deltaY * v], [$, R] = c(h);
+    if (Zn.peek() === "trackpad" && !h.ctrlKey) return Dt(-T, -P, r);
+    let A = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs(T) ? P : T);
+    w($, R, Math.exp(Math.max(-300, Math.min(300, A)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let C = (h) => h.preventDefault(), Ce = () => {
+  let I = (h) => h.preventDefault(), Me = () => {
     clearTimeout(a), t.unhover();
   }, Je = (h) => {
-    !h.target.closest("[data-handle]") && G.peek() === null && t.double();
+    !h.target.closest("[data-handle]") && X.peek() === null && t.double(...c(h));
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
   }, ve = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    we.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    ke.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Ce), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", x), e.addEventListener("pointercancel", x), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", M, { passive: !1 }), e.addEventListener("contextmenu", I), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
     ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
 // src/overlay.ts
 var jl = "http://www.w3.org/2000/svg";
-function ke(e, t = {}, n) {
+function xe(e, t = {}, n) {
   let o = document.createElementNS(jl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Ur = class {
+var Gr = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = hn(t.width, t.height);
+    this.view = t, this.fit = vn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = tn(this.view, t);
+    let [n, o, r] = en(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = tn(this.view, t), [, , r] = tn(this.view, n), i = 0.05, [a, s] = [t, n];
+    let [, , o] = en(this.view, t), [, , r] = en(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let u = (i - o) / (r - o), d = I(S(t, 1 - u), S(n, u));
+      let c = (i - o) / (r - o), d = V(_(t, 1 - c), _(n, c));
       o < i && (a = d), r < i && (s = d);
     }
-    let [p, c] = [this.at(a), this.at(s)];
-    return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
+    let [p, u] = [this.at(a), this.at(s)];
+    return !p || !u ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
   }
 };
-function Wr() {
+function zr() {
   let e = W.value;
-  return we.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
+  return ke.value, e ? new Gr(_t(e.camera, e.head.width, e.head.height)) : null;
 }
-function Qa() {
-  let e = re(Wr);
-  return e ? M.all().flatMap(([t, n]) => {
-    let o = Ja(n), r = o && e.at(o);
+function es() {
+  let e = ue(zr);
+  return e ? k.all().flatMap(([t, n]) => {
+    let o = ts(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ja = hr, Ul = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function jr(e, t) {
-  let n = _t(t);
-  return Ul.map(([o, r]) => e.line(n[o], n[r])).join("");
+var ts = vr, Wl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Br(e, t) {
+  let n = yt(t);
+  return Wl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Wl = 150, Sn = class {
+var Bl = 150, Tn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2905,10 +2898,10 @@ var Wl = 150, Sn = class {
       n.add(o);
       let s = this.marks.get(o);
       if (!s) {
-        let p = ke("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        let p = xe("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(p);
-        let c = ke("text", { x: 10, y: 4 }, p);
-        s = { group: p, label: c }, this.marks.set(o, s);
+        let u = xe("text", { x: 10, y: 4 }, p);
+        s = { group: p, label: u }, this.marks.set(o, s);
       }
       if (!r) {
         s.group.setAttribute("display", "none");
@@ -2920,63 +2913,63 @@ var Wl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Za(e) {
-  let t = ke("path", { class: "aims" }, e), n = ke("path", { class: "boxes" }, e), o = ke("path", { class: "boxes hover" }, e), r = ke("path", { class: "grid-lines" }, e), i = new Sn(ke("g", {}, e), "lamp", (u) => ke("circle", { r: 4.5 }, u)), a = new Sn(ke("g", {}, e), "grid", () => {
-  }), s = new Sn(ke("g", {}, e), "meter", (u) => {
-    ke("circle", { r: 5.5 }, u), ke("path", { d: "M-9 0H9M0 -9V9" }, u);
-  }), p = T(() => {
-    let u = Wr();
-    if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Wl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Ce = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ja(_), fe = _.place?.position;
-      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Ce)) {
-        let v = _.place.aim ?? I(fe, _.place.direction);
-        f += u.line(fe, v);
+function ns(e) {
+  let t = xe("path", { class: "aims" }, e), n = xe("path", { class: "boxes" }, e), o = xe("path", { class: "boxes hover" }, e), r = xe("path", { class: "grid-lines" }, e), i = new Tn(xe("g", {}, e), "lamp", (c) => xe("circle", { r: 4.5 }, c)), a = new Tn(xe("g", {}, e), "grid", () => {
+  }), s = new Tn(xe("g", {}, e), "meter", (c) => {
+    xe("circle", { r: 5.5 }, c), xe("path", { d: "M-9 0H9M0 -9V9" }, c);
+  }), p = L(() => {
+    let c = zr();
+    if (!c) return;
+    let d = E.value, m = me.value, f = "", b = "", y = k.ids.value.length <= Bl, x = k.all().map(([w, M]) => {
+      let I = d?.kind === "lamp" ? d.ids.includes(w) : d?.kind === "group" && d.ids.includes(M.group ?? -1), Me = m?.kind === "lamp" ? m.id === w : m?.kind === "group" && m.id === M.group, Je = ts(M), fe = M.place?.position;
+      if (I && M.box && (b += Br(c, M.box)), fe && M.place?.direction && (I || Me)) {
+        let v = M.place.aim ?? V(fe, M.place.direction);
+        f += c.line(fe, v);
       }
-      let ve = C || Ce || y && tr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Ce ? "under" : ""} ${st(_) ? "" : "off"}`;
-      return { id: k, at: Je && ve ? u.at(Je) : null, label: C || Ce ? _.name : "", state: h };
+      let ve = I || Me || y && nr.value && (M.own || M.place?.position), h = `${I ? "selected" : ""} ${Me ? "under" : ""} ${sn(M) ? "" : "off"}`;
+      return { id: w, at: Je && ve ? c.at(Je) : null, label: I || Me ? M.name : "", state: h };
     });
-    if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
-      for (let k of d.ids) {
-        let _ = ye.get(k)?.box;
-        _ && (b += jr(u, _));
+    if (i.draw(x), t.setAttribute("d", f), d?.kind === "thing")
+      for (let w of d.ids) {
+        let M = ye.get(w)?.box;
+        M && (b += Br(c, M));
       }
     n.setAttribute("d", b);
-    let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? ye.get(m.id)?.box : null;
-    o.setAttribute("d", x ? jr(u, x) : "");
-  }), c = T(() => {
-    let u = Wr();
-    if (!u) return;
-    let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
-    s.draw(Ct.all().map(([b, y]) => ({
+    let S = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? ye.get(m.id)?.box : null;
+    o.setAttribute("d", S ? Br(c, S) : "");
+  }), u = L(() => {
+    let c = zr();
+    if (!c) return;
+    let d = E.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
+    s.draw(Mt.all().map(([b, y]) => ({
       id: b,
-      at: u.at(y.point),
-      label: y.lux ? dt(y.lux[0]) : "…",
+      at: c.at(y.point),
+      label: y.lux ? pt(y.lux[0]) : "…",
       state: m("meter", b)
     })));
     let f = "";
-    a.draw(qn.all().map(([b, y]) => {
-      f += Bl(u, y);
-      let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
-      return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
+    a.draw(Bn.all().map(([b, y]) => {
+      f += Gl(c, y);
+      let x = y.mean == null ? "…" : `${y.name} ${pt(y.mean)}`;
+      return { id: b, at: c.at(y.corner), label: x, state: m("grid", b) };
     })), r.setAttribute("d", f);
   });
   return () => {
-    p(), c(), e.replaceChildren();
+    p(), u(), e.replaceChildren();
   };
 }
-function es({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
-  let p = (c, u, d) => {
-    let m = be(c) > 2 * i ? i / be(c) : 0;
-    return S(c, m + (1 - 2 * m) * (u + 0.5) / d);
+function os({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
+  let p = (u, c, d) => {
+    let m = be(u) > 2 * i ? i / be(u) : 0;
+    return _(u, m + (1 - 2 * m) * (c + 0.5) / d);
   };
-  return I(e, I(p(t, a, o), p(n, s, r)));
+  return V(e, V(p(t, a, o), p(n, s, r)));
 }
-function Bl(e, t) {
-  let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+function Gl(e, t) {
+  let n = (r, i) => V(t.corner, V(_(t.u, r), _(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
-      let a = e.at(es(t, i, r));
+      let a = e.at(os(t, i, r));
       a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
     }
   return o;
@@ -2986,25 +2979,25 @@ function Bl(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var ts = () => `lampyris view ${ee.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Gl() {
-  let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
-  Ve("All lamps on", {
+var rs = () => `lampyris view ${te.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function zl() {
+  let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+  Le("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function zl() {
-  switch (Wt.value) {
+function Xl() {
+  switch (jt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = qr.value;
+      let e = Wr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
-        e?.file ?? ee.value?.file ?? "the scene",
+        e?.file ?? te.value?.file ?? "the scene",
         "…",
-        e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
+        e?.bytes ? ` ${G(e.bytes / 1e6, 1)} MB` : "",
         e?.progress != null && l("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
       ] });
     }
@@ -3018,11 +3011,11 @@ function zl() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: ts() }),
+          l("code", { children: rs() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(ts());
+          _r(rs());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3037,18 +3030,18 @@ function zl() {
         "Edits are not being saved: ",
         it.value.why ?? "unknown reason",
         ".",
-        l("button", { onClick: () => pt.value = "save", children: "Save elsewhere" })
+        l("button", { onClick: () => ft.value = "save", children: "Save elsewhere" })
       ] });
     case "broken":
       return l(ce, { tone: "warn", children: [
-        kn.value,
+        Mn.value,
         " Still showing what was read before."
       ] });
     case "control-lost":
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "Control moved to ",
-          l("em", { children: xn.value }),
+          l("em", { children: Cn.value }),
           "."
         ] }),
         " ",
@@ -3058,7 +3051,7 @@ function zl() {
       return l(ce, { tone: "calm", children: [
         l("span", { children: [
           "You are watching",
-          F.value.name ? l(X, { children: [
+          F.value.name ? l(Y, { children: [
             "; ",
             l("em", { children: F.value.name }),
             " edits"
@@ -3074,7 +3067,7 @@ function zl() {
           "button",
           {
             onClick: () => {
-              dr.value = "disc", mr("add");
+              mr.value = "disc", hr("add");
             },
             children: "ceiling lamp"
           }
@@ -3084,8 +3077,8 @@ function zl() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        rt.value.undo && l("button", { onClick: () => te("undo"), children: "Undo" }),
-        l("button", { onClick: Gl, children: "Turn on" })
+        rt.value.undo && l("button", { onClick: () => B("undo"), children: "Undo" }),
+        l("button", { onClick: zl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3097,10 +3090,10 @@ function zl() {
       return null;
   }
 }
-function ns() {
-  let e = xe.value;
+function is() {
+  let e = _e.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    zl(),
+    Xl(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3113,57 +3106,60 @@ function ns() {
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
-      e.length === 1 ? M.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      e.length === 1 ? k.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
       l("button", { onClick: Mr, children: "End solo" })
     ] }),
-    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ut.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => or(t.id), children: l(z, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => ir(t.id), children: l(z, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var rs = g(null);
-function Xl(e, t) {
-  let n = Qa();
+var as = g(null);
+function Yl(e, t) {
+  let n = es();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Yl = {
+var Ql = {
   click(e, t, n) {
-    let o = os(e, t);
-    if (G.peek() === null && o) return Ge(o.kind, o.id, n);
-    wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), G.peek() !== null) return fa(r);
-      ia(r, n), P.peek() && (Ae.value = "inspector");
+    let o = Xr(e, t);
+    if (X.peek() === null && o) return ze(o.kind, o.id, n);
+    En(e, t, (r) => {
+      if (r && (mn.value = { point: r.point, normal: r.normal }), X.peek() !== null) return va(r);
+      ua(r, n), E.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
-    wo(e, t, (n) => {
-      n && fo(e, t, n);
+    En(e, t, (n) => {
+      n && mo(e, t, n);
     });
   },
-  double() {
-    fr();
+  double(e, t) {
+    if (Xr(e, t)) return B("frame");
+    En(e, t, (n) => {
+      n && (mn.value = { point: n.point, normal: n.normal }), B(n && !gn("there") ? "there" : "frame");
+    });
   },
   hover(e, t) {
-    let n = os(e, t);
-    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
-      _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
+    let n = Xr(e, t);
+    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), En(e, t, (o) => {
+      ko.value = o, o && (mn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (rs.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Xl(e, t);
-    P.value = o.length ? { kind: "lamp", ids: o } : null, G.value = null;
+    if (as.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Yl(e, t);
+    E.value = o.length ? { kind: "lamp", ids: o } : null, X.value = null;
   }
 };
-function os(e, t) {
+function Xr(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3173,7 +3169,7 @@ function os(e, t) {
   }
   return o;
 }
-var Ql = {
+var Jl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3181,51 +3177,51 @@ var Ql = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function is() {
+function ss() {
   let e = ne(null), t = ne(null), n = ne(null);
-  return Ee(() => {
-    Xo(t.current);
-    let o = Za(n.current), r = Ya(e.current, Yl);
+  return Ce(() => {
+    Yo(t.current);
+    let o = ns(n.current), r = Za(e.current, Ql);
     return () => {
-      Xo(null), o(), r();
+      Yo(null), o(), r();
     };
-  }, []), Ci(() => {
+  }, []), $i(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
     l(
       "div",
       {
-        class: G.value ? "stage tooled" : "stage",
+        class: X.value ? "stage tooled" : "stage",
         id: "view",
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${ee.value?.name ?? "the scene"}${Kt.value ? `, ${Kt.value}` : ""}`,
+        "aria-label": `View of ${te.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
         "aria-describedby": "view-keys",
-        "data-tool": G.value ?? "",
+        "data-tool": X.value ?? "",
         children: [
           l("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
-          l(J, { part: "Gizmo" }),
-          l(J, { part: "Compare" }),
-          l(Jl, {})
+          l(Z, { part: "Gizmo" }),
+          l(Z, { part: "Compare" }),
+          l(Zl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    G.value && l("p", { class: "hint", role: "status", children: Ql[G.value] }),
-    l(ns, {}),
-    l(J, { part: "TypedHint" }),
-    l(J, { part: "Legend" }),
-    l(J, { part: "CutBar" }),
-    l(J, { part: "ViewStrip" }),
-    l(J, { part: "WalkPad" }),
-    l(J, { part: "What" })
+    X.value && l("p", { class: "hint", role: "status", children: Jl[X.value] }),
+    l(is, {}),
+    l(Z, { part: "TypedHint" }),
+    l(Z, { part: "Legend" }),
+    l(Z, { part: "CutBar" }),
+    l(Z, { part: "ViewStrip" }),
+    l(Z, { part: "WalkPad" }),
+    l(Z, { part: "What" })
   ] });
 }
-function Jl() {
-  let e = rs.value;
+function Zl() {
+  let e = as.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3240,194 +3236,200 @@ function Jl() {
 }
 
 // src/main.tsx
-function Zl() {
-  return l(X, { children: [
-    l(wa, {}),
-    l(Ua, {}),
-    l(is, {}),
-    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(J, { part: "Inspector" }) }),
-    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(J, { part: "Strip" }) }),
-    l(za, {}),
-    l(J, { part: "Sheets" })
+function eu() {
+  return l(Y, { children: [
+    l(Ea, {}),
+    l(Ga, {}),
+    l(ss, {}),
+    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(Z, { part: "Inspector" }) }),
+    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(Z, { part: "Strip" }) }),
+    l(Qa, {}),
+    l(Z, { part: "Sheets" })
   ] });
 }
-var ht = document.getElementById("desk");
-ht.replaceChildren();
-ai(l(Zl, {}), ht);
-T(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !_e.value ? "yes" : "no";
+var mt = document.getElementById("desk");
+mt.replaceChildren();
+ci(l(eu, {}), mt);
+L(() => {
+  mt.dataset.state = jt.value, mt.dataset.line = j.value, mt.dataset.pen = pe.value === "edit" && F.value.you && !we.value ? "yes" : "no";
 });
-T(() => {
-  ht.dataset.panels = Zo.value ? "yes" : "no", ht.dataset.drawer = Ae.value ?? "none";
+L(() => {
+  mt.dataset.panels = er.value ? "yes" : "no", mt.dataset.drawer = Ie.value ?? "none";
 });
-T(() => {
-  document.documentElement.dataset.theme = Yo.value, document.documentElement.style.setProperty("--house", String(Qo.value));
+L(() => {
+  document.documentElement.dataset.theme = Qo.value, document.documentElement.style.setProperty("--house", String(Jo.value));
 });
-T(() => {
-  ee.value && (document.title = `${ee.value.name} – Lampyris`);
+L(() => {
+  te.value && (document.title = `${te.value.name} – Lampyris`);
 });
-var as = 0;
-T(() => {
-  let [e, t] = we.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(as), as = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+var ls = 0;
+L(() => {
+  let [e, t] = ke.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
+  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(ls), ls = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-va();
-Aa();
-Gi();
+wa();
+Oa();
+Qi();
 export {
-  _n as Fade,
-  gn as Field,
-  X as Fragment,
+  fa as EYE_HEIGHT,
+  xn as Fade,
+  yn as Field,
+  Y as Fragment,
   Be as Gesture,
   z as Icon,
   xr as Item,
-  As as PRESETS,
-  Kr as Range,
-  Fr as Virtual,
+  Dr as LevelField,
+  Hs as PRESETS,
+  Or as Power,
+  Nr as Range,
+  Ur as Virtual,
   ot as across,
-  te as act,
-  I as add,
-  dr as adding,
-  gl as allActions,
-  Me as ask,
-  pa as asked,
+  B as act,
+  V as add,
+  mr as adding,
+  bl as allActions,
+  De as ask,
+  ga as asked,
   nl as back,
   pn as before,
   he as camera,
-  Vt as candles,
-  ue as chosenLamps,
+  Lt as candles,
+  le as chosenLamps,
   Mr as clearSolo,
-  po as closeWhat,
-  Oa as colorText,
-  ao as command,
+  Cr as closeWhat,
+  Hr as colorText,
+  lo as command,
   dn as compareHeld,
   de as comparing,
-  Ii as compass,
+  Ki as compass,
   N as computed,
-  yr as copyText,
-  Or as cost,
+  _r as copyText,
+  yo as cost,
   ge as cross,
-  Hr as css,
-  ll as cut,
-  Zn as deselect,
-  B as digits,
+  Fr as css,
+  ul as cut,
+  no as deselect,
+  G as digits,
   at as display,
-  Ke as distance,
+  He as distance,
   q as dot,
-  fl as each,
-  Ve as edit,
+  pl as each,
+  Le as edit,
   F as editor,
-  T as effect,
-  so as exposeBy,
-  nr as fade,
-  dl as falseColor,
-  Rs as filterOf,
+  L as effect,
+  uo as exposeBy,
+  rr as fade,
+  ml as falseColor,
+  Ks as filterOf,
   We as fine,
-  hn as fitted,
-  vn as format,
+  vn as fitted,
+  bn as format,
   ol as forth,
-  fr as frameSelection,
-  ro as free,
-  Rl as fromHex,
-  Q as go,
-  pr as goHome,
-  sl as goInside,
-  al as goPreset,
-  es as gridPoint,
-  qn as grids,
+  al as frameSelection,
+  ao as free,
+  Hl as fromHex,
+  J as go,
+  dr as goHome,
+  ll as goInside,
+  sl as goPreset,
+  os as gridPoint,
+  Bn as grids,
   D as groups,
-  Zs as handles,
-  Xn as hands,
+  el as handles,
+  Zn as hands,
   Se as hear,
   oe as here,
-  Ha as hex,
-  co as highlight,
+  Fa as hex,
+  po as highlight,
   rt as history,
-  Qo as houseLights,
+  Jo as houseLights,
   me as hovered,
   l as jsx,
   l as jsxs,
-  Cl as keysFirst,
-  tr as lampMarks,
-  M as lamps,
-  sn as layers,
+  El as keysFirst,
+  nr as lampMarks,
+  k as lamps,
+  an as layers,
   be as length,
-  Lt as listing,
-  _e as lookOnly,
-  Mt as looks,
-  Uo as lumensOf,
-  dt as luxText,
-  Ws as maintenance,
-  xt as materials,
-  Ct as meters,
-  qe as middle,
-  Hl as mired,
-  ra as nameOf,
-  Z as normal,
-  cl as onTool,
-  st as output,
-  $l as padWalk,
-  Zo as panels,
-  Qn as penless,
+  Kr as listed,
+  $t as listing,
+  we as lookOnly,
+  St as looks,
+  Wo as lumensOf,
+  Ma as luxText,
+  pt as maintained,
+  or as maintenance,
+  kt as materials,
+  Mt as meters,
+  Ue as middle,
+  Kl as mired,
+  Ke as moved,
+  la as nameOf,
+  ee as normal,
+  fl as onTool,
+  sn as output,
+  Ll as padWalk,
+  er as panels,
+  Ge as penless,
   Re as percent,
-  Dr as pickRow,
-  wt as pinhole,
-  hr as positionOf,
-  tn as project,
-  Is as ray,
-  vl as register,
+  qr as pickRow,
+  _t as pinhole,
+  vr as positionOf,
+  en as project,
+  As as ray,
+  gl as register,
   pe as role,
-  le as say,
-  S as scale,
-  ee as scene,
-  Ge as select,
-  P as selection,
+  se as say,
+  _ as scale,
+  te as scene,
+  ze as select,
+  E as selection,
   K as send,
-  ul as setCut,
-  pt as sheet,
-  At as show,
+  cl as setCut,
+  ft as sheet,
+  It as show,
   W as shown,
   g as signal,
-  er as singleKeys,
-  wl as soloSelection,
-  to as spot,
-  mr as startTool,
-  Pe as status,
-  Xs as step,
-  el as stepSelection,
-  hl as storeLook,
-  ml as storeView,
-  rr as stroke,
-  go as strokeLevel,
+  tr as singleKeys,
+  kl as soloSelection,
+  mn as spot,
+  hr as startTool,
+  Te as status,
+  Ys as step,
+  tl as stepSelection,
+  vl as storeLook,
+  hl as storeView,
+  ar as stroke,
+  bo as strokeLevel,
   O as sub,
-  Rr as switchOn,
-  Yo as theme,
+  Ar as switchOn,
+  Qo as theme,
   ye as things,
-  Xe as three,
-  eo as titleOf,
+  Ye as three,
+  oo as titleOf,
   Lr as toLevel,
   $r as toTravel,
-  br as toggleFalse,
-  Js as toggleWipe,
-  G as tool,
-  Yn as travel,
-  en as turn,
-  Ar as typeGroupLevel,
+  yr as toggleFalse,
+  Zs as toggleWipe,
+  X as tool,
+  eo as travel,
+  Zt as turn,
+  Rr as typeGroupLevel,
   Ir as typeLevel,
-  re as untracked,
-  Ie as up,
-  Ee as useEffect,
-  ys as useLayoutEffect,
+  ue as untracked,
+  Ve as up,
+  Ce as useEffect,
+  ws as useLayoutEffect,
   ne as useRef,
-  Kt as viewName,
-  we as viewSize,
-  St as views,
-  La as walkNames,
-  Jo as walking,
-  gr as wantLevel,
-  Ye as what,
-  Jn as whyNot,
-  _r as whyNotTo,
-  Ys as wipeAt,
-  Bs as workPlane
+  Ht as viewName,
+  ke as viewSize,
+  xt as views,
+  Aa as walkNames,
+  Zo as walking,
+  br as wantLevel,
+  wn as what,
+  to as whyNot,
+  gn as whyNotTo,
+  Qs as wipeAt,
+  Gs as workPlane
 };

@@ -8,8 +8,7 @@ export {
     toggleFalse, wantLevel, whyNotTo, type Action,
 } from './actions';
 export { before, compareHeld, comparing, toggleWipe, wipeAt } from './before';
-export { compass, pinhole, PRESETS, project, ray, type Pinhole, type Preset } from './camera';
-export { colorText, cost } from './faderrow';
+export { compass, moved, pinhole, PRESETS, project, ray, type Pinhole, type Preset } from './camera';
 export { Field } from './field';
 export { shown } from './frames';
 export { edit, Gesture, penless, show, step, stroke, whyNot } from './gesture';
@@ -21,7 +20,7 @@ export { Fade, strokeLevel, switchOn, toLevel, toTravel, typeGroupLevel, typeLev
 export { closeWhat, what } from './lights';
 export { Item } from './menu';
 export {
-    back, camera, cut, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName,
+    back, camera, cut, EYE_HEIGHT, fitted, forth, frameSelection, go, goHome, goInside, goPreset, here, setCut, up, viewName,
     viewSize,
 } from './navigate';
 export {
@@ -30,6 +29,7 @@ export {
 } from './prefs';
 export { gridPoint } from './overlay';
 export { Range } from './range';
+export { colorText, cost, LevelField, listed, Power } from './row';
 export { say } from './say';
 export {
     chosenLamps, deselect, handles, hovered, nameOf, select, selection, spot, stepSelection, titleOf, tool, type Kind,
@@ -42,9 +42,9 @@ export { css, fromHex, hex, mired } from './swatch';
 export { adding, free, onTool, positionOf, startTool } from './tools';
 export {
     type Camera, type Color, type ColorMode, type FalseColor, type Grid, type Hit, type Id, type Lamp, type LampKind,
-    type LinkEntry, type Material, type Meter, type Patch, type Place, type Share, type Thing, type Vec,
+    type LinkEntry, type Measured, type Material, type Meter, type Patch, type Place, type Share, type Thing, type Vec,
 } from './types';
-export { digits, format, luxText, percent, three, type Quantity } from './units';
+export { digits, format, luxText, maintained, percent, three, type Quantity } from './units';
 export { across, add, cross, distance, dot, length, middle, normal, scale, sub, turn } from './vec';
 export { Virtual } from './virtual';
 export { ask, hear, role, send } from './wire';

@@ -12,7 +12,7 @@ import { grids, lamps, meters, output, things } from './store';
 import type { Grid, Id, Meter, Vec } from './types';
 import { add, corners, length, scale } from './vec';
 import { positionOf } from './tools';
-import { luxText } from './units';
+import { maintained } from './units';
 
 const SVG = 'http://www.w3.org/2000/svg';
 type Point = [number, number];
@@ -179,12 +179,12 @@ export function overlayOn(svg: SVGSVGElement): () => void {
         const now = selection.value;
         const state = (kind: string, id: Id) => (now?.kind === kind && now.ids.includes(id) ? 'selected' : '');
         meterMarks.draw(meters.all().map(([id, meter]: [Id, Meter]) => ({
-            id, at: through.at(meter.point), label: meter.lux ? luxText(meter.lux[0]) : '…', state: state('meter', id),
+            id, at: through.at(meter.point), label: meter.lux ? maintained(meter.lux[0]) : '…', state: state('meter', id),
         })));
         let mesh = '';
         gridMarks.draw(grids.all().map(([id, grid]: [Id, Grid]) => {
             mesh += gridPath(through, grid);
-            const label = grid.mean == null ? '…' : `${grid.name} ${luxText(grid.mean)}`;
+            const label = grid.mean == null ? '…' : `${grid.name} ${maintained(grid.mean)}`;
             return { id, at: through.at(grid.corner), label, state: state('grid', id) };
         }));
         gridLines.setAttribute('d', mesh);

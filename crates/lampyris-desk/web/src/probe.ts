@@ -5,7 +5,7 @@ import { toFrame } from './navigate';
 import { candles } from './prefs';
 import { lamps, materials, things } from './store';
 import type { Hit } from './types';
-import { luxText, three } from './units';
+import { maintained, three } from './units';
 import { ask } from './wire';
 
 export const probe = signal<Hit | null>(null);
@@ -26,7 +26,7 @@ export function probeText(hit: Hit | null): string {
     if (lamp) parts.push(lamp);
     if (thing && thing !== lamp) parts.push(thing);
     if (material && material !== thing) parts.push(material);
-    if (hit.lux) parts.push(`${luxText(hit.lux[0])} ±${luxText(hit.lux[1], false)}`);
+    if (hit.lux) parts.push(`${maintained(hit.lux[0])} ±${maintained(hit.lux[1], false)}`);
     if (hit.luminance) {
         const value = hit.luminance[0] * (candles.value === 'fc' ? 0.2919 : 1);
         parts.push(`${three(value)} ${candles.value === 'fc' ? 'fL' : 'cd/m²'}`);

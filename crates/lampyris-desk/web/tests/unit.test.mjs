@@ -6,7 +6,7 @@ import { browserless, load } from './bundle.mjs';
 
 browserless();
 const page = await load('units', 'camera', 'vec', 'swatch', 'overlay');
-const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/area', 'later/verdict', 'later/typed');
+const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/area', 'later/verdict', 'later/typed', 'later/there');
 
 const near = (a, b, within = 1e-9) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 const nearVec = (a, b, within = 1e-9) => a.forEach((v, k) => near(v, b[k], within));
@@ -258,6 +258,14 @@ test('points of an area are in the middle of their cells, within the border wher
     nearVec(page.gridPoint(grid, 0, 0), [2, 2.2, 3]);
     nearVec(page.gridPoint(grid, 2, 1), [4, 2.6, 3]);
     nearVec(page.gridPoint({ ...grid, border: undefined }, 0, 0), [1 + 4 / 6, 2.2, 3]);
+});
+
+test('one walks to where one may stand, and looks as before', () => {
+    const to = (point, normal = up, c = camera) => later.standing(c, up, { point, normal });
+    const there = to([5, 2, 0]);
+    nearVec(there.eye, [5, 2, 1.6]);
+    nearVec(page.sub(there.target, there.eye), page.sub(camera.target, camera.eye));
+    for (const none of [to([5, 2, 0.75]), to([5, 2, 0], [1, 0, 0]), to([5, 2, 3], [0, 0, -1]), to([5, 2, 0], up, { ...camera, height: 4 })]) assert.equal(none, null);
 });
 
 test('axes and digits are found on every keyboard', () => {

@@ -3,12 +3,13 @@
 import {
     adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, deselect, each, edit,
     exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, hands, here,
-    highlight, history, lampMarks, lamps, listing, lookOnly, panels, PRESETS, register, say, scene, selection, send,
+    highlight, history, lampMarks, lamps, listing, lookOnly, maintenance, panels, PRESETS, register, say, scene, selection, send,
     sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
     toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
     type Preset,
 } from '../desk';
 import { group, ungroup, whyNotGroup, whyNotUngroup } from './grouping';
+import { goThere, whyNotThere } from './there';
 import { startTyped } from './typed';
 import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
@@ -69,6 +70,7 @@ const list: Action[] = [
             say(walking.peek() === 'walk' ? 'Walking, the eye 1.60 m above the floor' : 'Flying');
         },
     },
+    { id: 'there', group: 'View', label: 'Go to the floor under the pointer', keys: 'double click', run: goThere, why: whyNotThere },
     { id: 'from-lamp', group: 'View', label: 'View from the lamp', keys: 'Shift+L', run: viewFromLamp, why: needLamp },
     { id: 'next', group: 'Select', label: 'Next', keys: ']', run: () => stepSelection(1) },
     { id: 'previous', group: 'Select', label: 'Previous', keys: '[', run: () => stepSelection(-1) },
@@ -120,7 +122,7 @@ const list: Action[] = [
     { id: 'meter', group: 'Measure', label: 'Meter under the pointer', keys: 'P', why: whyNot, run: () => (spot.peek() ? addMeter(spot.peek()!.point, spot.peek()!.normal) : startTool('meter')) },
     { id: 'meter-tool', group: 'Measure', label: 'Lay a meter by pointing', run: () => startTool('meter'), why: whyNot },
     { id: 'grid', group: 'Measure', label: 'Lay a grid by two corners', keys: 'Shift+G', run: () => startTool('grid'), why: whyNot },
-    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach' }), why: whyNot },
+    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach', maintenance: maintenance.peek() }), why: whyNot },
     { id: 'units', group: 'Measure', label: 'Lux or foot-candles', run: () => (candles.value = candles.peek() === 'lx' ? 'fc' : 'lx') },
     { id: 'look-store', group: 'Looks', label: 'Store a look', keys: 'Ctrl+Enter', run: storeLook, why: whyNot },
     { id: 'look-recall', group: 'Looks', label: 'Recall a look by its digit', keys: 'J, then 1…9', run: () => say('Press J, then the digit of the look.') },

@@ -2,6 +2,7 @@
 // from `../desk`, which is the file that is loaded already.
 
 import './actions';
+import './shares';
 export { Compare } from './compare';
 export { Gizmo } from './handles';
 export { Inspector } from './inspector';

@@ -1,7 +1,7 @@
 // Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
 
 import {
-    add, deselect, digits, dot, edit, grids, Icon, length, luxText, maintenance, meters, scale, selection, up, type Grid, type Meter,
+    add, deselect, digits, dot, edit, grids, Icon, length, maintained, maintenance, meters, scale, selection, up, type Grid, type Meter,
 } from '../desk';
 import { gridIsPoor, gridVerdict, meterIsPoor, meterVerdict, Said } from './figures';
 import { counts, floorLevel, inner } from './area';
@@ -20,7 +20,7 @@ export function MeterInspector() {
     return (
         <>
             <header class="panel-head"><Name label="Name of the meter" value={meter.name} set={(name) => set('rename', { name })} /></header>
-            <p class={`crumbs ${meterIsPoor(meter) ? 'unsettled' : 'known'}`}>{meter.lux?.[1] != null ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
+            <p class={`crumbs ${meterIsPoor(meter) ? 'unsettled' : 'known'}`}>{meter.lux?.[1] != null ? `${maintained(meter.lux[0])} ±${maintained(meter.lux[1], false)}` : 'measuring'}</p>
             <div class="scroll">
                 <Section title="Meter">
                     <label class="line">
@@ -70,9 +70,9 @@ export function GridInspector() {
             <div class="scroll">
                 <Section title="Figures" note={kept === 1 ? 'new' : `× ${digits(kept, 2)}`}>
                     <dl class={`figures ${gridIsPoor(grid) ? 'unsettled' : ''}`}>
-                        {figure('Ē', grid.mean, (v) => luxText(v * kept) + off(grid.error, (e) => luxText(e * kept, false)))}
-                        {figure('E min', grid.min, (v) => luxText(v * kept))}
-                        {figure('E max', grid.max, (v) => luxText(v * kept))}
+                        {figure('Ē', grid.mean, (v) => maintained(v) + off(grid.error, (e) => maintained(e, false)))}
+                        {figure('E min', grid.min, (v) => maintained(v))}
+                        {figure('E max', grid.max, (v) => maintained(v))}
                         {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2) + off(grid.uniformity_error, (e) => digits(e, 2)))}
                         {figure('U d = min / max', grid.max ? (grid.min ?? 0) / grid.max : null, (v) => digits(v, 2))}
                     </dl>

@@ -1,7 +1,7 @@
 // The strip under the view: looks, and what meters and grids say.
 
 import {
-    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, signal, storeLook,
+    act, command, digits, fade, Field, grids, Icon, looks, luxText, maintained, maintenance, meters, select, selection, signal, storeLook,
 } from '../desk';
 import { saveCsv } from './csv';
 import { gridIsPoor, gridVerdict, Mark, meterIsPoor, meterVerdict } from './figures';
@@ -93,9 +93,9 @@ function Readings() {
                         <li key={`m${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'meter' && selection.value.ids.includes(id)} onClick={() => select('meter', id)}>
                                 <span class="tint"><Icon name="meter" />{meter.name} <Mark of={meterVerdict(meter)} /></span>
-                                <strong class={meterIsPoor(meter) ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
+                                <strong class={meterIsPoor(meter) ? 'unsettled' : ''}>{lux ? maintained(lux[0]) : '…'}</strong>
                                 <small>
-                                    {lux?.[1] != null ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
+                                    {lux?.[1] != null ? `±${maintained(lux[1], false)}` : 'measuring'} {meter.kind}
                                     {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
                                 </small>
                             </button>
@@ -109,11 +109,11 @@ function Readings() {
                             <button class="reading" aria-pressed={selection.value?.kind === 'grid' && selection.value.ids.includes(id)} onClick={() => select('grid', id)}>
                                 <span class="tint"><Icon name="grid" />{grid.name} <Mark of={gridVerdict(grid)} /></span>
                                 <strong class={gridIsPoor(grid) ? 'unsettled' : ''}>
-                                    {grid.mean == null ? '…' : `Ē ${luxText(grid.mean * kept)}${grid.error == null ? '' : ` ±${luxText(grid.error * kept, false)}`}`}
+                                    {grid.mean == null ? '…' : `Ē ${maintained(grid.mean)}${grid.error == null ? '' : ` ±${maintained(grid.error, false)}`}`}
                                 </strong>
                                 <small>
-                                    U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : luxText(grid.min * kept, false)} to{' '}
-                                    {grid.max == null ? '…' : luxText(grid.max * kept, false)}
+                                    U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : maintained(grid.min, false)} to{' '}
+                                    {grid.max == null ? '…' : maintained(grid.max, false)}
                                     {target ? ` · wants ${luxText(target.lux)}, U₀ ${digits(target.uniformity, 2)}` : ''}
                                 </small>
                             </button>
