@@ -44,7 +44,7 @@ const STATES = [
     ['lost', { act: async (page, { lines }) => lines[0].close() }, /Connection lost, trying again/],
     ['ended', { more: [{ is: 'event', what: 'bye' }], act: async (page, { lines }) => lines[0].close() }, /program has ended.*lampyris view/s],
     ['renewed', { builds: ['one', 'two'], act: async (page, { lines }) => lines[0].close() }, /New version/],
-    ['good', { select: 'lamp', act: (page) => page.locator('[data-row="lamp-1"] .row-name').click() }, /Handles/],
+    ['good', { select: 'lamp', act: (page) => page.locator('[data-row="lamp-3"] .row-name').click() }, /Handles/],
     ['good', { select: 'several', act: async (page) => {
         await page.locator('[data-row="lamp-0"] .row-name').click();
         await page.locator('[data-row="lamp-3"] .row-name').click({ modifiers: ['Shift'] });
