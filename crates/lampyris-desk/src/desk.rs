@@ -241,7 +241,7 @@ impl Desk {
                     (self.model, self.scene, self.warnings) = (*model, Some(*scene), warnings);
                     self.solo.retain(|id| (*id as usize) < self.model.lamps.len());
                     self.look = Some(look);
-                    self.screen.mix(self.colors(), 0.0);
+                    self.mix(self.seq, 0.0);
                     self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
                 }
@@ -340,6 +340,13 @@ impl Desk {
             Err(RecvTimeoutError::Timeout) => Some(Event::Idle),
             Err(RecvTimeoutError::Disconnected) => None,
         }
+    }
+
+    /// Shows the layers in the colours that they have by a message, faded to in so many seconds.
+    fn mix(&self, seq: u32, seconds: f32) {
+        let colors = self.colors();
+        self.studio.mix(colors.clone(), seq);
+        self.screen.mix(colors, seconds);
     }
 
     /// Edits are to be written down before so long; until they are, nobody is told that they are saved.
@@ -480,7 +487,7 @@ impl Desk {
             }
             Do::Solo { lamps } => {
                 self.solo = lamps.into_iter().collect();
-                self.screen.mix(self.colors(), 0.0);
+                self.mix(seq, 0.0);
                 self.tell_patch(json!({"solo": self.solo}));
                 Ok(false)
             }

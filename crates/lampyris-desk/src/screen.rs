@@ -24,6 +24,8 @@ pub(crate) struct Light {
     pub(crate) batches: u32,
     pub(crate) error: f32,
     pub(crate) kind: Option<Kind>,
+    /// The light of all groups is in one layer, in the colours that it was drawn in.
+    pub(crate) melted: bool,
     /// The last message of the editor that asked for rays and is in it.
     pub(crate) seq: u32,
     /// How long it took [s].
@@ -187,7 +189,7 @@ impl Screen {
             };
             let kind = if handled { Kind::Moving } else { kind };
             // What asked for rays and is not there yet holds back the number of what came after.
-            let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
+            let seq = if light.seq >= wanted.traced && !light.melted { wanted.seq } else { light.seq };
             wanted.number += 1;
             let number = wanted.number;
             wanted.frames.push_back((number, Frame { look, size: light.size }));
@@ -196,7 +198,7 @@ impl Screen {
             }
             drop(wanted);
             let begun = Instant::now();
-            let radiance = still.mix(&colors);
+            let radiance = still.mix(if light.melted { &[] } else { &colors });
             if show.ev.is_none() {
                 let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);

@@ -25,7 +25,7 @@ use lampyris::geometry::Ray;
 use lampyris::material::Class;
 use lampyris::measuring::{Estimate, illuminance};
 use lampyris::scene::{Camera, Edit, Mesh, Scene, View, find_view, upward};
-use lampyris::session::Session;
+use lampyris::session::{Session, Sketch};
 use lampyris::world::World;
 use serde_json::Value;
 use std::f32::consts::PI;
@@ -98,7 +98,11 @@ struct Stage {
     plain: Camera,
     camera: Arc<CameraText>,
     size: [u32; 2],
+    /// The colours of the layers, as they are shown.
+    colors: Vec<Rgb>,
+    /// Size of the sketch, and the colours of its light groups where their light is summed together.
     sketch: [u32; 2],
+    melted: Option<Vec<Rgb>>,
     /// Whether a sketch was shown last.
     sketched: bool,
     /// Batches after which a picture is finished.
@@ -107,8 +111,8 @@ struct Stage {
     seq: u32,
     /// When something moved last.
     moved: Option<Instant>,
-    /// What a pixel of a sketch takes in a batch [s].
-    pixel: f32,
+    /// What a pixel of a sketch takes in a batch, of one in layers and of one without [s].
+    pixel: [f32; 2],
     shown: Instant,
     /// What people want to know more of.
     pursued: Vec<Pursued>,
@@ -178,10 +182,22 @@ pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
     CameraText { number, text: text.to_string() }
 }
 
-/// A batch that is soon done, of a picture that is soon another.
+/// A batch that is soon done, of a picture that is soon another. Corners lack some of their light: to find it, by short rays
+/// one by one, takes as long as a third of all the rest. Less is clamped in turn.
 fn sketchy(survey: bool) -> Settings {
     let own = picture_settings(survey);
-    Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, edges: 0, ..own }
+    let parts = own.parts.iter().filter(|part| *part != "compensation").cloned().collect();
+    let clamp = 0.5 * own.clamp;
+    Settings {
+        parts,
+        clamp,
+        paths: 800,
+        light_points: Some(25),
+        picks: Some(4),
+        photons: 1 << 11,
+        edges: 0,
+        ..own
+    }
 }
 
 /// How light at points is estimated.
@@ -215,6 +231,7 @@ impl Stage {
         let lost = lost.into_iter().map(|lost| format!("not found any more: {lost}"));
         let warnings = document.warnings.into_iter().chain(lost).collect();
         let scene = Box::new(bare(world.scene()));
+        let colors = world.mix();
         let session = Session::begin(cpu, world, size, &picture_settings(false))?;
         inbox.put(Event::Opened { model: Box::new(model), scene, look: (*look).clone(), warnings });
         Ok(Stage {
@@ -226,12 +243,14 @@ impl Stage {
             look,
             plain: camera,
             size,
+            colors,
             sketch: [0; 2],
+            melted: None,
             sketched: false,
             enough: batches,
             seq: 0,
             moved: None,
-            pixel: 0.0,
+            pixel: [0.0; 2],
             shown: Instant::now(),
             pursued: Vec::new(),
             survey: false,
@@ -289,8 +308,9 @@ impl Stage {
             let seconds = begun.elapsed().as_secs_f32();
             match turn {
                 Turn::Sketch => {
-                    let pixel = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
-                    self.pixel = if self.pixel == 0.0 { pixel } else { 0.7 * self.pixel + 0.3 * pixel };
+                    let took = seconds / (self.sketch[0] * self.sketch[1]).max(1) as f32;
+                    let pixel = &mut self.pixel[usize::from(self.melted.is_some())];
+                    *pixel = if *pixel == 0.0 { took } else { 0.7 * *pixel + 0.3 * took };
                     self.show(Turn::Sketch, seconds, screen, inbox)?;
                 }
                 Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
@@ -348,7 +368,7 @@ impl Stage {
                 Ok(changes) => {
                     let lights = !changes.groups.is_empty() && !matches!(edit, Edit::Regroup { .. });
                     if changes.restarts_all() || lights {
-                        self.begin_to_move()?;
+                        self.begin_to_move(changes.restarts_all())?;
                     }
                     self.seq = self.seq.max(seq);
                 }
@@ -356,6 +376,16 @@ impl Stage {
         }
         if mixed {
             self.tell_readings(inbox);
+        }
+        if let Some((colors, seq)) = work.mix {
+            self.seq = self.seq.max(seq);
+            if self.colors != colors {
+                self.colors = colors;
+                // What has no layers can't be mixed: who goes on to dim has some.
+                if self.sketched && self.melted.is_some() {
+                    self.begin_to_move(false)?;
+                }
+            }
         }
         if let Some(size) = work.size.filter(|size| *size != self.size) {
             self.size = size;
@@ -366,11 +396,11 @@ impl Stage {
             self.survey = survey;
             self.session.set(&picture_settings(survey))?;
             if self.sketch != [0; 2] {
-                self.session.sketch(Some((self.sketch, sketchy(survey))))?;
+                self.begin_sketch()?;
             }
         }
         if let Some((look, number, seq)) = work.camera {
-            self.begin_to_move()?;
+            self.begin_to_move(true)?;
             self.seq = self.seq.max(seq);
             self.camera = Arc::new(camera_text(&look, number));
             if look.near != self.look.near {
@@ -423,21 +453,29 @@ impl Stage {
         Ok(())
     }
 
-    /// Something moves: there is to be a sketch, as large as can be drawn quickly. While it moves it keeps its size.
-    fn begin_to_move(&mut self) -> Result<()> {
+    /// Something moves: there is to be a sketch, as large as can be drawn quickly. While it moves it keeps its size. Where the
+    /// light of `all` groups is another one, they are sketched together.
+    fn begin_to_move(&mut self, all: bool) -> Result<()> {
         let rested = self.moved.is_none_or(|at| at.elapsed() > REST);
         self.moved = Some(Instant::now());
         let pixels = (self.size[0] * self.size[1]) as f32;
-        let fits = |edge: &&f32| self.pixel * pixels * **edge * **edge < QUICK;
+        let pixel = self.pixel[usize::from(all)];
+        let fits = |edge: &&f32| pixel * pixels * **edge * **edge < QUICK;
         let edge = EDGES.iter().find(fits).unwrap_or(&EDGES[EDGES.len() - 1]);
         // The first sketch of all tells how quick this machine is.
-        let edge = if self.pixel == 0.0 { EDGES[2] } else { *edge };
+        let edge = if pixel == 0.0 { EDGES[2] } else { *edge };
         let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
-        if rested && sketch != self.sketch {
-            self.sketch = sketch;
-            self.session.sketch(Some((sketch, sketchy(self.survey))))?;
+        let melted = all.then(|| self.colors.clone());
+        if (rested && sketch != self.sketch) || melted != self.melted {
+            (self.sketch, self.melted) = (sketch, melted);
+            self.begin_sketch()?;
         }
         Ok(())
+    }
+
+    fn begin_sketch(&mut self) -> Result<()> {
+        let (size, melted) = (self.sketch, self.melted.clone());
+        Ok(self.session.sketch(Some(Sketch { size, settings: sketchy(self.survey), melted }))?)
     }
 
     /// Hands what was drawn to the screen, and tells how far it is.
@@ -471,7 +509,9 @@ impl Stage {
         // The error falls as one over the root of the batches, or faster.
         let more = batches as f32 * ((error / GOOD).powi(2) - 1.0);
         let good_in = (error.is_finite() && error > GOOD).then_some(more * seconds);
-        let layers = frame.progress().iter().map(|p| (p.batches, p.of, p.held)).collect();
+        let melted = sketched && self.melted.is_some();
+        let layers: Vec<_> = frame.progress().iter().map(|p| (p.batches, p.of, p.held)).collect();
+        let layers = if melted { layers.repeat(self.colors.len()) } else { layers };
         let progress =
             Progress { stage, batches, error, good_in, fps: 1.0 / seconds.max(1e-3), size, layers };
         screen.light(Light {
@@ -486,6 +526,7 @@ impl Stage {
             batches,
             error,
             kind: Some(kind),
+            melted,
             seq: self.seq,
             seconds,
         });

@@ -46,9 +46,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for photons in [Settings::default().photons, photons / 2] {
         let settings = Settings { photons, ..Settings::default() };
         let batch = Batch { index: 0 };
-        let walk = Walk::new(&world, &settings, &Plan::new(&world, &settings), batch);
+        let plan = Plan::new(&world, &settings);
+        let walk = Walk::new(&world, &settings, &plan, batch);
         let (seconds, map) =
-            timed(|| Photons::new(&world, &settings, &[0], std::slice::from_ref(&walk), batch));
+            timed(|| Photons::new(&world, &settings, &plan, &[0], std::slice::from_ref(&walk), batch));
         println!(
             "{} photons traced and sorted in {seconds:.3} s, {} rays; {} + {} stayed, radii {:.2} and {:.2} mm",
             2 * photons,

@@ -10,6 +10,7 @@ mod question;
 pub use question::{Answer, Question, Reading, Shares};
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
+use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Meter};
 use crate::frame::Frame;
@@ -79,14 +80,27 @@ impl Cpu {
         Ok(())
     }
 
-    /// Sketches what an eye sees from now on, beside the picture and in the same world; `None` does not any more. A sketch has
-    /// batches and sums of its own, which edits renew as they do the picture's.
+    /// Sketches what an eye sees from now on, beside the picture and in the same world, with a layer a light group, or with
+    /// one for all of them, each in its colour of those `melted`. A sketch has batches and sums of its own, which edits renew
+    /// as they do the picture's.
     ///
     /// # Errors
     /// As [`Cpu::restart`].
-    pub fn sketch(&mut self, eye: Option<Eye>, settings: &Settings) -> Result<()> {
+    pub fn sketch(&mut self, eye: Eye, settings: &Settings, melted: Option<&[Rgb]>) -> Result<()> {
         let job = self.job()?;
-        job.sketch = eye.map(|eye| Film::new(&job.world, eye, settings)).transpose()?;
+        job.sketch = Some(match melted {
+            Some(colors) => Film::melted(&job.world, eye, settings, colors)?,
+            None => Film::new(&job.world, eye, settings)?,
+        });
+        Ok(())
+    }
+
+    /// Sketches no more.
+    ///
+    /// # Errors
+    /// [`Error::BadSetting`] before `begin`.
+    pub fn sketch_no_more(&mut self) -> Result<()> {
+        self.job()?.sketch = None;
         Ok(())
     }
 

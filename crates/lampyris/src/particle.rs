@@ -64,6 +64,8 @@ pub struct Plan {
     absorption: Absorption,
     /// Of each emitter, the layer that its light is summed in.
     layers: Vec<usize>,
+    /// Of each emitter, what its light is multiplied by before it is summed.
+    tints: Vec<Rgb>,
     /// x₀ of each emitter: its expected (or floored) number of paths.
     starts: Vec<f64>,
     /// Of these, the share that leaves a light point: generation 0 thins out like any other.
@@ -108,6 +110,21 @@ impl Plan {
         Plan { starts: plan.starts.iter().map(|x0| x0.ceil()).collect(), ..plan }
     }
 
+    /// [`Plan::new`] where all light is summed in one layer, that of each group in a colour of its own, white where none is
+    /// given.
+    pub fn melted(world: &World, settings: &Settings, colors: &[Rgb]) -> Plan {
+        let count = world.emitters().len();
+        let tint = |emitter| colors.get(world.group_of(emitter)).copied().unwrap_or(Rgb::WHITE);
+        let tints = (0..count as u32).map(tint).collect();
+        Plan { tints, ..Plan::by_layers(world, settings, vec![0; count], 1) }
+    }
+
+    /// The same layers in the same colours by other settings.
+    pub fn again(&self, world: &World, settings: &Settings) -> Plan {
+        let plan = Plan::by_layers(world, settings, self.layers.clone(), self.layers());
+        Plan { tints: self.tints.clone(), ..plan }
+    }
+
     fn by_layers(world: &World, settings: &Settings, layers: Vec<usize>, count: usize) -> Plan {
         let n = f64::from(settings.paths);
         let mean = world.mean_reflectance();
@@ -145,6 +162,7 @@ impl Plan {
             bound: bound_of(f64::from(world.area()), n * q / (1.0 - q)),
             emitter_bound: emitter_bounds.iter().copied().fold(f32::INFINITY, f32::min),
             emitter_bounds,
+            tints: vec![Rgb::WHITE; layers.len()],
             layers,
             absorption: settings.absorption,
             starts,
@@ -161,6 +179,12 @@ impl Plan {
     #[inline]
     pub fn layer_of(&self, emitter: u32) -> usize {
         self.layers[emitter as usize]
+    }
+
+    /// What the light of an emitter is multiplied by before it is summed: white, unless layers are melted into one.
+    #[inline]
+    pub fn tint(&self, emitter: u32) -> Rgb {
+        self.tints[emitter as usize]
     }
 
     /// x_j: the number of particles of generation j that the weights assume.
@@ -318,7 +342,8 @@ fn start_paths(
     let common = threshold(seed, block);
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
-        if !wanted(emitter as u32) || world.emitters()[emitter].is_dark() {
+        let dark = world.emitters()[emitter].is_dark() || plan.tints[emitter] == Rgb::BLACK;
+        if dark || !wanted(emitter as u32) {
             // Its paths would carry nothing. Those of others are the same with or without them.
             continue;
         }
@@ -387,6 +412,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let roulette = settings.absorption == Absorption::Roulette;
     // A class sees one of C shares of the paths: what it gathers stands for all of them.
     let share = settings.classes() as f32;
+    let tint = plan.tints[path.emitter];
 
     let (place, turn) = (pair(ledger::POINT), pair(ledger::EMISSION));
     let pointing = plan.expected(path.emitter, 0) * plan.pointing;
@@ -395,7 +421,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         Vpl {
             position: point.position,
             shine: point.shine,
-            intensity: point.intensity * (share / pointing as f32),
+            intensity: point.intensity * (share / pointing as f32) * tint,
             bound: plan.emitter_bounds[plan.layers[path.emitter]],
             gloss: None,
         }
@@ -405,7 +431,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
     let mut rays = 0;
     let start = emitter.emit([place[0], place[1], turn[0], turn[1]], world.bounds());
     let mut ray = Ray::new(start.origin, start.direction);
-    let mut flux = start.flux;
+    let mut flux = start.flux * tint;
     let mut last: Option<Surface<'w>> = None;
     // A vertex of generation j is j + 2 segments from the eye at least.
     let limit = settings.longest.map_or(u32::MAX, |most| most.saturating_sub(2));

@@ -7,6 +7,7 @@
 //! colours of groups start nothing ([`Edit::Mix`]).
 
 use crate::backend::{Backend, Batch, Settings, Statistics};
+use crate::color::Rgb;
 use crate::cpu::{Answer, Cpu, GoOn, Question};
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Meter};
@@ -22,8 +23,8 @@ pub struct Session {
     settings: Settings,
     /// What is nearer to the eye than this is not seen [m].
     near: f32,
-    /// Width, height and settings of a sketch beside the picture.
-    sketch: Option<([u32; 2], Settings)>,
+    /// Beside the picture.
+    sketch: Option<Sketch>,
     /// The picture is of another view or of surfaces that are no more: it is begun anew when a batch is asked for.
     stale: bool,
     /// Number of the next batch that is drawn while light changes, below [`Settings::window`].
@@ -33,6 +34,18 @@ pub struct Session {
     undo: Vec<Edit>,
     /// What brings back what was taken back last.
     redo: Vec<Edit>,
+}
+
+/// A small picture of the view beside the large one: a few small batches are soon drawn while something moves.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    /// Width and height [pixels].
+    pub size: [u32; 2],
+    /// How its light is estimated.
+    pub settings: Settings,
+    /// The colours of all light groups by number, where their light is summed in one layer: what takes other ways is drawn
+    /// sooner, and to show it in other colours costs a sketch anew. `None` for a layer a group, as in the picture.
+    pub melted: Option<Vec<Rgb>>,
 }
 
 impl Session {
@@ -270,13 +283,12 @@ impl Session {
         self.turn_to_view()
     }
 
-    /// Sketches the view from now on, beside the picture, by another size [pixels] and settings of its own; `None` does not
-    /// any more. A sketch has batches and sums of its own, which edits renew as they do the picture's: a few small batches
-    /// are soon drawn while something moves.
+    /// Sketches the view from now on, beside the picture; `None` does not any more. A sketch has batches and sums of its own,
+    /// which edits renew as they do the picture's. After [`Edit::Regroup`] who melts tells the colours again.
     ///
     /// # Errors
     /// [`Error::BadSetting`] for settings that make no sense; nothing is changed then.
-    pub fn sketch(&mut self, sketch: Option<([u32; 2], Settings)>) -> Result<()> {
+    pub fn sketch(&mut self, sketch: Option<Sketch>) -> Result<()> {
         let before = std::mem::replace(&mut self.sketch, sketch);
         let done = self.restart_sketch();
         if done.is_err() {
@@ -382,9 +394,9 @@ impl Session {
     }
 
     fn restart_sketch(&mut self) -> Result<()> {
-        let Some((size, settings)) = &self.sketch else { return self.cpu.sketch(None, &self.settings) };
+        let Some(Sketch { size, settings, melted }) = &self.sketch else { return self.cpu.sketch_no_more() };
         let eye = eye(self.scene()?.view.as_ref(), *size, self.near)?;
-        self.cpu.sketch(Some(eye), settings)
+        self.cpu.sketch(eye, settings, melted.as_deref())
     }
 }
 

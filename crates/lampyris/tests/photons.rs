@@ -32,8 +32,9 @@ fn pane() -> Bsdf {
 fn map(world: &World, photons: u32, seed: u32, index: u32) -> Photons {
     let s = Settings { photons, ..settings(&["caustic"], 64, 4, seed) };
     let batch = Batch { index };
-    let walk = Walk::new(world, &s, &Plan::new(world, &s), batch);
-    Photons::new(world, &s, &[0], &[walk], batch)
+    let plan = Plan::new(world, &s);
+    let walk = Walk::new(world, &s, &plan, batch);
+    Photons::new(world, &s, &plan, &[0], &[walk], batch)
 }
 
 /// Illuminance by the photons of a grid [lx].

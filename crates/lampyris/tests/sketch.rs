@@ -6,9 +6,12 @@ mod stage;
 use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::backend::Settings;
+use lampyris::cpu::Cpu;
 use lampyris::scene::{Camera, Edit, Scene, View};
-use lampyris::session::Session;
-use stage::support::{FAST, settings};
+use lampyris::session::{Session, Sketch};
+use lampyris::testing::{Moments, sidak};
+use lampyris::world::World;
+use stage::support::{FAST, say, settings};
 use stage::{Chance, some_edit, stage};
 
 const SIZE: [u32; 2] = [12, 8];
@@ -34,7 +37,7 @@ fn bits(plane: &[Rgb]) -> Vec<u32> {
 fn a_sketch_is_a_picture_of_its_own() {
     let mut c = Chance::new(3);
     let mut session = open(stage());
-    session.sketch(Some((SMALL, sketchy()))).unwrap();
+    session.sketch(Some(Sketch { size: SMALL, settings: sketchy(), melted: None })).unwrap();
     for round in 0..12 {
         for _ in 0..3 {
             // Some edits make no sense in the scene as it stands.
@@ -109,4 +112,75 @@ fn a_section_shows_what_is_behind_it() {
         assert!(session.cut(bad).is_err());
     }
     session.edit(&Edit::View { camera: Some(camera) }).unwrap();
+}
+
+/// Sums of all pixels, channel by channel.
+fn sums(plane: &[Rgb]) -> [f64; 3] {
+    plane.iter().fold([0.0; 3], |sum, v| std::array::from_fn(|k| sum[k] + f64::from(v.to_array()[k])))
+}
+
+/// A sketch of some parts of the stage's light sorted into groups, after some batches.
+fn sketched(settings: &Settings, batches: u32, melt: impl Fn(usize) -> Option<Vec<Rgb>>) -> Session {
+    let cpu = Cpu::new(Some(2)).unwrap();
+    let mut world = World::new(stage());
+    world.separate(16).unwrap();
+    let melted = melt(world.groups());
+    let mut session = Session::begin(cpu, world, SIZE, settings).unwrap();
+    session.sketch(Some(Sketch { size: SIZE, settings: settings.clone(), melted })).unwrap();
+    (0..batches).for_each(|_| assert!(session.step_sketch(&|| true).unwrap()));
+    session
+}
+
+/// Light that is summed in one layer is twice as bright in colours twice as bright, to the bit, as it is shown and in each
+/// part: no light is left out.
+#[test]
+fn melted_light_takes_its_colour_everywhere() {
+    for part in ["emission", "direct", "vpl", "compensation", "mirror", "caustic", "path"] {
+        for filter in [false, true] {
+            let settings = Settings { parts: vec![part.into()], filter, ..own(true) };
+            let shown = |level: f32| {
+                let session = sketched(&settings, 3, |groups| Some(vec![Rgb::grey(level); groups]));
+                session.sketched().unwrap().shown()
+            };
+            let twice: Vec<Rgb> = shown(1.0).iter().map(|v| *v * 2.0).collect();
+            assert!(twice.iter().any(|v| v.luminance() > 0.0), "{part}: no light");
+            assert!(bits(&shown(2.0)) == bits(&twice), "{part}, filtered: {filter}");
+        }
+    }
+}
+
+/// In the mean the light of one layer, each group in a colour of its own, is the mix of a layer a group.
+#[test]
+fn melted_light_is_the_mix_of_the_layers() {
+    let colors = |groups: usize| -> Vec<Rgb> {
+        let mut c = Chance::new(5);
+        let color = |k: usize| Rgb::new(c.within(0.0, 4.0), c.within(0.0, 4.0), c.unit()) * (k % 4) as f32;
+        (0..groups).map(color).collect()
+    };
+    for part in ["emission", "direct", "vpl", "compensation", "mirror", "caustic"] {
+        let mut moments: [Moments; 3] = Default::default();
+        let mut whole = [0.0; 3];
+        // Short rays find a light here and there.
+        let batches = if part == "compensation" { 32 } else { 4 };
+        for seed in 0..24 {
+            let settings = Settings { parts: vec![part.into()], seed, ..own(false) };
+            let one = sketched(&settings, batches, |groups| Some(colors(groups)));
+            let one = sums(&one.sketched().unwrap().mean());
+            let layered = sketched(&settings, batches, |_| None);
+            let still = layered.sketched().unwrap().still();
+            assert!(still.layers() > 4);
+            let mixed = sums(&still.mix(&colors(still.layers())));
+            for k in 0..3 {
+                moments[k].push(one[k] - mixed[k]);
+                whole[k] += mixed[k] / 24.0;
+            }
+        }
+        for (own, whole) in moments.iter().zip(whole) {
+            let (off, error) = (own.mean() / whole, own.standard_error() / whole);
+            say(format_args!("{part}: off by {off:+.4} ± {error:.4}"));
+            // What is the same light in both is the same but for rounding.
+            let same = own.p_value(0.0) > sidak(0.01, 18) || off.abs() < 1e-5;
+            assert!(same && error < 0.06, "{part}: off by {off:+.4} ± {error:.4}");
+        }
+    }
 }

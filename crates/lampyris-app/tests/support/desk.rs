@@ -218,9 +218,10 @@ impl Client {
     /// Says something and waits until it was applied, or why it was not.
     pub(crate) fn ask(&mut self, message: Value) -> Result<Value, String> {
         let seq = self.say(message);
-        let of =
-            |value: &Value| value["seq"] == seq && matches!(value["is"].as_str(), Some("patch" | "refused"));
-        let answer = self.until(of);
+        let you = self.you.clone();
+        // Patches bear the number of their editor's message, who may be somebody else.
+        let own = |value: &Value| value["is"] == "refused" || value["is"] == "patch" && value["by"] == you;
+        let answer = self.until(|value| value["seq"] == seq && own(value));
         match answer["why"].as_str() {
             Some(why) => Err(why.into()),
             None => Ok(answer["patch"].clone()),

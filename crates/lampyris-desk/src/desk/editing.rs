@@ -195,7 +195,7 @@ impl Desk {
                 touched.spread(&self.model, &inverse, sorted);
                 self.studio.edit(edits, seq);
                 self.save_in(SOON);
-                self.screen.mix(self.colors(), seconds);
+                self.mix(seq, seconds);
                 if !touched.meters.is_empty() || !touched.grids.is_empty() {
                     self.lay_out();
                 }

@@ -23,6 +23,8 @@ pub(super) struct Work {
     /// Edits in order; of those of one thing that follow each other only the last.
     pub(super) edits: Vec<(Edit, u32)>,
     pub(super) questions: Vec<Asked>,
+    /// In which colours the layers are shown, and the message that asked.
+    pub(super) mix: Option<(Vec<Rgb>, u32)>,
     /// Whether what surfaces reflect is to be noted.
     pub(super) survey: Option<bool>,
     /// Where to measure from now on.
@@ -113,6 +115,11 @@ impl Studio {
         });
     }
 
+    /// The layers are shown in other colours, which may be others than the scene's.
+    pub(crate) fn mix(&self, colors: Vec<Rgb>, seq: u32) {
+        self.put(false, |work| work.mix = Some((colors, seq)));
+    }
+
     /// Whether the surfaces of pictures are to be told from now on, for false colour of illuminance.
     pub(crate) fn survey(&self, on: bool) {
         self.put(true, |work| work.survey = Some(on));
@@ -167,6 +174,7 @@ impl Studio {
                 && work.camera.is_none()
                 && work.size.is_none()
                 && work.edits.is_empty()
+                && work.mix.is_none()
                 && work.questions.is_empty()
                 && work.save.is_none()
                 && work.meters.is_none()

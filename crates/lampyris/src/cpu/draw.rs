@@ -147,7 +147,7 @@ impl Film {
         if useful && !go_on() {
             return None;
         }
-        let photons = useful.then(|| Photons::new(world, &self.settings, &groups, &walks, batch));
+        let photons = useful.then(|| Photons::new(world, &self.settings, &self.plan, &groups, &walks, batch));
         for walk in &walks {
             statistics.rays.particle += walk.rays;
             statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
@@ -165,7 +165,8 @@ impl Film {
         let mut shares = vec![0.0; self.plan.layers()];
         for (number, (emitter, share)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
             // What is dark has no light paths either.
-            shares[self.plan.layer_of(number)] += if emitter.is_dark() { 0.0 } else { *share };
+            let dark = emitter.is_dark() || self.plan.tint(number) == Rgb::BLACK;
+            shares[self.plan.layer_of(number)] += if dark { 0.0 } else { *share };
         }
         let of_class = |class: u32| {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {
@@ -205,7 +206,8 @@ impl Film {
         let glows = self.integrators.iter().any(|i| i.name() == "emission");
         let layer_of = |emitter| {
             let group = self.plan.layer_of(emitter);
-            shared.groups.iter().position(|own| glows && *own == group)
+            let place = shared.groups.iter().position(|own| glows && *own == group);
+            place.map(|place| (place, self.plan.tint(emitter)))
         };
         let filter = Filter {
             world: shared.world,
@@ -292,7 +294,7 @@ impl Film {
         numbers: Range<u32>,
         shared: &Shared<'w>,
         note: bool,
-        layer_of: &dyn Fn(u32) -> Option<usize>,
+        layer_of: &dyn Fn(u32) -> Option<(usize, Rgb)>,
     ) -> Summed {
         let pixels = (rect.width * rect.height) as usize;
         let layers = shared.groups.len();
@@ -367,7 +369,7 @@ impl Film {
         rect: Rect,
         tiles: &[Tile<'_>],
         planes: &[Vec<Vec<Rgb>>],
-        layer_of: &dyn Fn(u32) -> Option<usize>,
+        layer_of: &dyn Fn(u32) -> Option<(usize, Rgb)>,
     ) -> Glimpse {
         let layers = planes.first().map_or(0, Vec::len);
         let mut glimpse = Glimpse::new(rect, layers);
@@ -382,8 +384,8 @@ impl Film {
         }
         for p in tiles.iter().flat_map(|tile| &tile.packets) {
             for gleam in &p.gleams {
-                if let Some(layer) = layer_of(gleam.emitter) {
-                    glimpse.gleam(layer, p.pixels[gleam.lane] as usize, gleam.radiance);
+                if let Some((layer, tint)) = layer_of(gleam.emitter) {
+                    glimpse.gleam(layer, p.pixels[gleam.lane] as usize, gleam.radiance * tint);
                 }
             }
             for k in p.lanes() {

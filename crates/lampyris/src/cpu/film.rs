@@ -3,6 +3,7 @@
 
 use super::begun::Begun;
 use super::draw::Plane;
+use crate::color::Rgb;
 use crate::error::Result;
 use crate::eye::Eye;
 use crate::frame::Frame;
@@ -17,6 +18,8 @@ pub(super) struct Film {
     pub(super) eye: Eye,
     pub(super) settings: Settings,
     pub(super) plan: Plan,
+    /// The colours in which the light of all groups is summed in one layer, where it is.
+    melted: Option<Vec<Rgb>>,
     pub(super) integrators: Vec<&'static dyn Integrator>,
     /// What integrators draw into.
     pub(super) planes: Vec<Plane>,
@@ -39,6 +42,18 @@ impl Film {
         Film::by(world, eye, settings, Plan::new(world, settings), world.scene().groups.is_empty())
     }
 
+    /// Nothing as yet, in one layer that has the light of each light group in a colour of its own.
+    ///
+    /// # Errors
+    /// As [`Film::new`].
+    pub(super) fn melted(world: &World, eye: Eye, settings: &Settings, colors: &[Rgb]) -> Result<Film> {
+        settings.check()?;
+        let film = Film::by(world, eye, settings, Plan::melted(world, settings, colors), false)?;
+        let mut melted = Film { melted: Some(colors.to_vec()), ..film };
+        melted.frame.set_mix(&melted.mix(world));
+        Ok(melted)
+    }
+
     /// With the layers of a plan, which has been made by these settings, and planes for the parts or not.
     pub(super) fn by(world: &World, eye: Eye, settings: &Settings, plan: Plan, apart: bool) -> Result<Film> {
         let integrators = integrator::select(&settings.parts)?;
@@ -52,6 +67,7 @@ impl Film {
         frame.set_mix(&world.mix());
         Ok(Film {
             plan,
+            melted: None,
             begun: Vec::new(),
             statistics: Statistics::default(),
             eye,
@@ -66,21 +82,37 @@ impl Film {
     /// The world was edited: sums of light groups whose light is another one begin anew.
     pub(super) fn follow(&mut self, world: &World, edit: &Edit, changes: &Changes) {
         if !changes.groups.is_empty() {
-            self.plan = Plan::new(world, &self.settings);
+            self.plan = self.plan(world);
         }
-        match edit {
-            Edit::Regroup { .. } => self.frame.regroup(&changes.groups),
-            _ => changes.groups.iter().for_each(|group| self.frame.change(*group)),
+        match (edit, &self.melted) {
+            (Edit::Regroup { .. }, None) => self.frame.regroup(&changes.groups),
+            // Light that is sorted otherwise is the same.
+            (Edit::Regroup { .. }, Some(_)) => {}
+            (_, None) => changes.groups.iter().for_each(|group| self.frame.change(*group)),
+            (_, Some(_)) if changes.groups.is_empty() => {}
+            (_, Some(_)) => self.frame.change(0),
         }
-        self.frame.set_mix(&world.mix());
+        self.frame.set_mix(&self.mix(world));
     }
 
     /// All light takes other ways now: all sums begin anew.
     pub(super) fn renew(&mut self, world: &World) {
-        self.plan = Plan::new(world, &self.settings);
-        (0..world.groups()).for_each(|group| self.frame.change(group));
+        self.plan = self.plan(world);
+        (0..self.plan.layers()).for_each(|layer| self.frame.change(layer));
         self.frame.forget_first();
-        self.frame.set_mix(&world.mix());
+        self.frame.set_mix(&self.mix(world));
         self.statistics = Statistics::default();
+    }
+
+    fn plan(&self, world: &World) -> Plan {
+        match &self.melted {
+            Some(colors) => Plan::melted(world, &self.settings, colors),
+            None => Plan::new(world, &self.settings),
+        }
+    }
+
+    /// What the layers are multiplied by when they are shown.
+    fn mix(&self, world: &World) -> Vec<Rgb> {
+        if self.melted.is_some() { vec![Rgb::WHITE] } else { world.mix() }
     }
 }

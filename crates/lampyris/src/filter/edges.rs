@@ -53,8 +53,8 @@ impl<'a> Again<'a> {
                     factor * around.light(layer, &shares) + seen.color(rest(layer), seen.index(*x, y))
                 });
                 for gleam in packet.gleams.iter().filter(|gleam| gleam.lane == k) {
-                    if let Some(layer) = (filter.layer_of)(gleam.emitter) {
-                        mean.sums[layer] += gleam.radiance;
+                    if let Some((layer, tint)) = (filter.layer_of)(gleam.emitter) {
+                        mean.sums[layer] += gleam.radiance * tint;
                     }
                 }
             }

@@ -36,7 +36,7 @@ pub struct Filter<'a> {
     /// The interleaving, and how many further eye rays there are at edges.
     pub settings: &'a Settings,
     /// Of each emitter the layer that it belongs to, if what glows along eye paths is asked for.
-    pub layer_of: &'a (dyn Fn(u32) -> Option<usize> + Sync),
+    pub layer_of: &'a (dyn Fn(u32) -> Option<(usize, Rgb)> + Sync),
 }
 
 impl Filter<'_> {

@@ -51,8 +51,8 @@ pub(super) fn at(pass: &Pass<'_>, x: &Surface<'_>, numbers: Numbers, out: &mut [
         numbers,
         &mut traced,
         |emitter, history, light| {
-            if let (History::Caustic, Some(place)) = (history, pass.place_of(emitter)) {
-                out[place] += light;
+            if let (History::Caustic, Some((place, tint))) = (history, pass.place_of(emitter)) {
+                out[place] += light * tint;
             }
         },
     );

@@ -68,9 +68,9 @@ pub(super) fn near_light(
     }
     let Some(s) = Short::new(world, x, way, reach, numbers, 0, &mut rays.compensation) else { return };
     let mut add = |emitter: u32, radiance: Rgb, taken: &dyn Fn(f32) -> f32| {
-        if let Some(place) = pass.place_of(emitter) {
+        if let Some((place, tint)) = pass.place_of(emitter) {
             let taken = taken(bounds[pass.lights[place].group]);
-            out[place] += s.weight * radiance * taken;
+            out[place] += s.weight * radiance * tint * taken;
         }
     };
     let t_max = s.met.as_ref().map_or(s.ray.t_max, |y| (y.position - s.ray.origin).length());

@@ -25,8 +25,8 @@ impl Integrator for Emission {
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], _rays: &mut Rays) {
         for packet in &tile.packets {
             for gleam in &packet.gleams {
-                if let Some(place) = pass.place_of(gleam.emitter) {
-                    out[place][packet.pixels[gleam.lane] as usize] += gleam.radiance;
+                if let Some((place, tint)) = pass.place_of(gleam.emitter) {
+                    out[place][packet.pixels[gleam.lane] as usize] += gleam.radiance * tint;
                 }
             }
         }

@@ -83,10 +83,11 @@ impl Lights<'_> {
 const GOLDEN: f32 = 0.618_034;
 
 impl<'w> Pass<'w> {
-    /// Which of the [`Pass::lights`] an emitter belongs to.
-    fn place_of(&self, emitter: u32) -> Option<usize> {
+    /// Which of the [`Pass::lights`] an emitter belongs to, and what its light is multiplied by.
+    fn place_of(&self, emitter: u32) -> Option<(usize, Rgb)> {
         let group = self.plan.layer_of(emitter);
-        self.lights.iter().position(|lights| lights.group == group)
+        let place = self.lights.iter().position(|lights| lights.group == group);
+        place.map(|place| (place, self.plan.tint(emitter)))
     }
 
     /// Each group's light with the sum that it is to be added to.

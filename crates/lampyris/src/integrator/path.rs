@@ -57,8 +57,8 @@ impl Integrator for Path {
                 };
                 let numbers = packet.numbers[k].branch(b'p'.into());
                 trace(pass.world, start, Scope::Everything, numbers, rays, |emitter, _, light| {
-                    if let Some(place) = pass.place_of(emitter) {
-                        out[place][pixel as usize] += light;
+                    if let Some((place, tint)) = pass.place_of(emitter) {
+                        out[place][pixel as usize] += light * tint;
                     }
                 });
             }

@@ -70,7 +70,7 @@ impl<'a, 'w> Source<'a, 'w> {
     fn order(&self) -> Vec<u32> {
         let numbers = (0..self.count).into_par_iter().with_min_len(RUN);
         match self.origin {
-            Origin::Light(_) => numbers.collect(),
+            Origin::Light(..) => numbers.collect(),
             Origin::Vertices(..) => {
                 let keyed = |i| ((self.numbers(i).one(ledger::POINT) * 65536.0) as u16, i);
                 let mut order: Vec<(u16, u32)> = numbers.map(keyed).collect();
@@ -86,9 +86,9 @@ impl<'a, 'w> Source<'a, 'w> {
         let [u, v, s, t] = numbers.four(ledger::POINT);
         let point;
         let (source, from, weight) = match &self.origin {
-            Origin::Light(emitter) => {
+            Origin::Light(emitter, tint) => {
                 let p = emitter.point([u, v]);
-                let (position, shine, intensity) = (p.position, p.shine, p.intensity);
+                let (position, shine, intensity) = (p.position, p.shine, p.intensity * *tint);
                 point = Vpl { position, shine, intensity, bound: f32::INFINITY, gloss: None };
                 (&point, None, 1.0)
             }

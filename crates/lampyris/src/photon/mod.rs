@@ -68,7 +68,8 @@ pub struct Photons {
 
 /// The points that shine for one emitter: itself, or vertices of the walk.
 enum Origin<'a, 'w> {
-    Light(&'a Emitter),
+    /// With what its light is multiplied by.
+    Light(&'a Emitter, Rgb),
     /// Vertices with the running sum of the flux that they send toward sharp bodies, each of the light that a single
     /// class would see: so many times too bright.
     Vertices(Vec<(f64, &'a Vpl<'w>)>, f64),
@@ -85,11 +86,12 @@ struct Source<'a, 'w> {
 }
 
 impl Photons {
-    /// Traces and sorts the photons of a batch: those of the light groups given, of which the batch's walks are at hand.
+    /// Traces and sorts the photons of a batch: those of the plan's layers given, of which the batch's walks are at hand.
     /// No photon of a group depends on which others are given.
     pub fn new(
         world: &World,
         settings: &Settings,
+        plan: &Plan,
         groups: &[usize],
         walks: &[Walk<'_>],
         batch: Batch,
@@ -102,15 +104,15 @@ impl Photons {
             let alone =
                 Settings { passes: Some(1), interleave: [1, 1], light_points: None, ..settings.clone() };
             let settings = Settings { paths, seed, ..alone };
-            let plan = Plan::new(world, &settings);
+            let plan = plan.again(world, &settings);
             let walk = |group: &usize| Walk::of_layer(world, &settings, &plan, batch, *group);
             groups.iter().map(walk).collect::<Vec<_>>()
         });
         let places: Vec<Option<usize>> = (0..world.emitters().len() as u32)
-            .map(|emitter| groups.iter().position(|group| *group == world.group_of(emitter)))
+            .map(|emitter| groups.iter().position(|group| *group == plan.layer_of(emitter)))
             .collect();
         let (walks, classes) = own.as_deref().map_or((walks, settings.classes()), |own| (own, 1));
-        let lights = lights(world, settings, &places, block, sequence::hash(seed, u32::from(b'k')));
+        let lights = lights(world, settings, plan, &places, block, sequence::hash(seed, u32::from(b'k')));
         let vertices =
             vertices(world, settings, (walks, classes), block, sequence::hash(seed, u32::from(b'w')));
         let kinds = [(lights, RADIUS[0]), (vertices, RADIUS[1])];
@@ -154,17 +156,19 @@ impl Photons {
 fn lights<'a, 'w>(
     world: &'a World,
     settings: &Settings,
+    plan: &Plan,
     places: &[Option<usize>],
     block: u32,
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
-        let silent = light.is_dark() || places[emitter as usize].is_none();
+        let tint = plan.tint(emitter);
+        let silent = light.is_dark() || tint == Rgb::BLACK || places[emitter as usize].is_none();
         let share = if silent { 0.0 } else { f64::from(*share) };
         let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
             emitter,
-            origin: Origin::Light(light),
+            origin: Origin::Light(light, tint),
             count,
             first: block.wrapping_mul(count),
             seed: sequence::hash(seed, emitter),
