@@ -4,6 +4,7 @@
 mod answering;
 mod comparing;
 mod editing;
+mod grouping;
 #[cfg(test)]
 mod hostile;
 mod looks;
@@ -82,6 +83,8 @@ pub(crate) enum Event {
         readings: Vec<Estimate>,
         /// Of each layer in white, the radiance of what it gives each of them, matt and white [cd/m²].
         by_layer: Vec<Vec<Rgb>>,
+        /// They have all the batches that meters get.
+        done: bool,
     },
     /// The scene's file is another one, and was read.
     Changed(Box<Opened>),
@@ -156,6 +159,8 @@ pub(crate) struct Desk {
     /// [cd/m²].
     readings: Vec<Estimate>,
     by_layer: Vec<Vec<Rgb>>,
+    /// Whether they have all the batches that meters get.
+    measured: bool,
     saved: Value,
     /// By when there is something to save.
     unsaved: Option<Instant>,
@@ -221,6 +226,7 @@ impl Desk {
             told: Value::Null,
             readings: Vec::new(),
             by_layer: Vec::new(),
+            measured: false,
             saved: json!({"state": "clean", "file": null, "why": null}),
             unsaved: None,
             cameras: 0,
@@ -301,8 +307,8 @@ impl Desk {
                 Event::Lit { client, id, answer, done } => {
                     self.hub.tell(client, &state::lit(&self.model, id, &answer, done));
                 }
-                Event::Measured { readings, by_layer } => {
-                    (self.readings, self.by_layer) = (readings, by_layer);
+                Event::Measured { readings, by_layer, done } => {
+                    (self.readings, self.by_layer, self.measured) = (readings, by_layer, done);
                     self.read_meters();
                     self.tell_readings();
                 }
@@ -505,7 +511,7 @@ impl Desk {
                 Ok(false)
             }
             Do::Display { patch } => self.display_as(seq, &patch),
-            Do::Reach { most } => self.reach(seq, most),
+            Do::Reach { most, maintenance } => self.reach(seq, most, maintenance),
             Do::Expose => {
                 self.show.ev = None;
                 self.screen.show(self.show.clone());
@@ -528,6 +534,10 @@ impl Desk {
                 self.in_gesture(seq, "Remove", |desk| {
                     desk.edit(seq, Patch { lamps, ..Patch::default() }, 0.0)
                 })
+            }
+            Do::Group { lamps, name } => {
+                let label = if name.is_some() { "Group" } else { "Ungroup" };
+                self.in_gesture(seq, label, |desk| desk.group(seq, &lamps, name))
             }
             Do::Look { id, name, what, seconds } => self.look(seq, (id, name), &what, seconds),
             Do::Ack | Do::Ask { .. } | Do::Edit { .. } => Ok(false),

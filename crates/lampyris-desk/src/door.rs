@@ -5,6 +5,7 @@
 //! Cookies do not know ports, so this one is named after the instance.
 
 use crate::error::{Error, Result};
+use crate::reachable::reachable;
 use std::collections::BTreeMap;
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
@@ -115,7 +116,7 @@ impl Door {
 
     /// The address that a link's key belongs to.
     pub(crate) fn address_of(&self, link: &Link) -> String {
-        format!("http://{}/#{}", self.address, link.key)
+        format!("http://{}/#{}", reachable(self.address), link.key)
     }
 
     /// The name of the cookie, which differs from instance to instance.
@@ -270,6 +271,18 @@ mod tests {
         let far = door("0.0.0.0:4000");
         assert_eq!(far.check(Some("192.168.1.7:4000"), Some("http://192.168.1.7:4000"), true), Ok(()));
         assert_eq!(far.check(Some("desk.local:4000"), None, false).unwrap_err().0, 421);
+    }
+
+    #[test]
+    fn links_lead_to_hosts_that_are_let_in() {
+        for address in ["127.0.0.1:4000", "0.0.0.0:4000", "[::]:4000"] {
+            let door = door(address);
+            let link = door.address_of(&door.links()[0]);
+            let (host, key) = link.strip_prefix("http://").unwrap().split_once("/#").unwrap();
+            assert_eq!(door.check(Some(host), Some(&format!("http://{host}")), true), Ok(()), "{link}");
+            assert_eq!(key, door.links()[0].key);
+            assert!(!host.starts_with("0.0.0.0") && !host.starts_with("[::]"), "{link}");
+        }
     }
 
     #[test]

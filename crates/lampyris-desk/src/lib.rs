@@ -24,6 +24,7 @@ mod opening;
 mod page;
 mod patch;
 mod printer;
+mod reachable;
 mod saver;
 mod saving;
 mod screen;

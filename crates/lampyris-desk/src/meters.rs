@@ -110,12 +110,12 @@ impl Layout {
         meters.chain(grids).filter_map(wanted).filter(|(row, _)| !row.is_empty()).unzip()
     }
 
-    /// What is said of meters and grids whose points read so, by slice and number.
-    pub(crate) fn told(&self, readings: &[Estimate]) -> Value {
+    /// What is said of meters and grids whose points read so, by slice and number; `done` where they will not read otherwise.
+    pub(crate) fn told(&self, readings: &[Estimate], done: bool) -> Value {
         let told = |reading: Estimate| json!([reading.value, reading.error]);
         let meters = self.meters.iter().filter_map(|(id, points)| {
             let reading = Kind::reading(readings.get(points.clone())?);
-            Some((id.to_string(), json!({"lux": told(reading)})))
+            Some((id.to_string(), json!({"lux": told(reading), "done": done})))
         });
         let grids = self.grids.iter().filter_map(|(id, points, factor)| {
             let readings = readings.get(points.clone())?;
@@ -123,7 +123,8 @@ impl Layout {
             let lux: Vec<f64> = readings.iter().map(|reading| reading.value * factor).collect();
             let told = json!({
                 "lux": lux, "mean": s.mean.value, "error": s.mean.error, "min": s.least.value, "max": s.greatest.value,
-                "uniformity": s.uniformity.value, "diversity": s.diversity.value, "count": s.count,
+                "uniformity": s.uniformity.value, "uniformity_error": s.uniformity.error, "diversity": s.diversity.value,
+                "count": s.count, "done": done,
             });
             Some((id.to_string(), told))
         });
@@ -145,13 +146,37 @@ impl Area {
         if columns == 0 || rows == 0 || u64::from(columns) * u64::from(rows) > u64::from(MOST) {
             return Vec::new();
         }
-        let along = |k: u32, count: u32| (k as f32 + 0.5) / count as f32;
+        let border = self.border.filter(|border| *border > 0.0).unwrap_or(0.0);
+        let off = |edge: Vec3| if edge.length() > 2.0 * border { border / edge.length() } else { 0.0 };
+        let along = |edge: Vec3, k: u32, count: u32| {
+            edge * (off(edge) + (1.0 - 2.0 * off(edge)) * (k as f32 + 0.5) / count as f32)
+        };
         let cells = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
         cells
             .map(|(x, y)| Meter {
-                position: self.corner + self.u * along(x, columns) + self.v * along(y, rows),
+                position: self.corner + along(self.u, x, columns) + along(self.v, y, rows),
                 normal,
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_keep_off_the_border_where_there_is_room_for_one() {
+        let text = r#"{"corner":[1,2,3],"u":[4,0,0],"v":[0,0.8,0],"columns":3,"rows":2,"border":0.5}"#;
+        let points = |text: &str| serde_json::from_str::<Area>(text).unwrap().points(Vec3::Z);
+        let laid = points(text);
+        assert_eq!(laid.len(), 6);
+        assert!((laid[0].position - Vec3::new(2.0, 2.2, 3.0)).length() < 1e-6);
+        assert!((laid[5].position - Vec3::new(4.0, 2.6, 3.0)).length() < 1e-6);
+        // Without one, cells are even over the whole of it.
+        for none in ["0", "-1", "null"] {
+            let laid = points(&text.replace("0.5}", &format!("{none}}}")));
+            assert!((laid[0].position - Vec3::new(1.0 + 4.0 / 6.0, 2.2, 3.0)).length() < 1e-6, "{none}");
+        }
     }
 }

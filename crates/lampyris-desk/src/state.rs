@@ -53,7 +53,9 @@ pub(crate) fn of(model: &Model, scene: &Scene, touched: &Touched) -> Value {
             patch.insert(name.into(), entries(ids, entry));
         }
     };
-    put("lamps", &lamps, &|id| model.lamps.get(id as usize).map_or(Value::Null, |own| lamp(scene, own)));
+    put("lamps", &lamps, &|id| {
+        model.lamps.get(id as usize).map_or(Value::Null, |own| lamp(model, scene, own))
+    });
     put("groups", &touched.groups, &|id| group(model, id));
     put("things", &touched.things, &|id| model.things.get(id as usize).map_or(Value::Null, thing));
     put("materials", &touched.materials, &|id| {
@@ -72,10 +74,11 @@ pub(crate) fn of(model: &Model, scene: &Scene, touched: &Touched) -> Value {
     patch.into()
 }
 
-fn lamp(scene: &Scene, own: &Lamp) -> Value {
+fn lamp(model: &Model, scene: &Scene, own: &Lamp) -> Value {
     if own.gone {
         return Value::Null;
     }
+    let group = model.groups.get(own.group as usize).filter(|group| !group.gone).map(|_| own.group);
     let kind = match &own.body {
         Body::Surface(_) => "surface",
         Body::Sky => "sky",
@@ -91,7 +94,7 @@ fn lamp(scene: &Scene, own: &Lamp) -> Value {
     let swatch = own.color.light().unwrap_or(base * own.shining);
     json!({
         "name": own.name, "kind": kind, "on": own.on, "level": own.level, "color": own.color, "flux": own.flux,
-        "swatch": swatch.to_array(), "group": own.group, "layer": layer, "free": layer.is_some(), "parked": own.parked,
+        "swatch": swatch.to_array(), "group": group, "layer": layer, "free": layer.is_some(), "parked": own.parked,
         "own": own.own, "place": own.place, "box": own.bounds.map(|bounds| shifted(bounds, own.place.position)),
     })
 }

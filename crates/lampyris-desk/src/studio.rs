@@ -322,7 +322,8 @@ impl Stage {
     /// Tells what the meters read, if they have begun to.
     fn tell_readings(&self, inbox: &Inbox) {
         if let Some(frame) = self.session.meters().filter(|frame| frame.batches() > 0) {
-            inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame) });
+            let done = frame.batches() >= METERED;
+            inbox.put(Event::Measured { readings: read(frame), by_layer: layers(frame), done });
         }
     }
 

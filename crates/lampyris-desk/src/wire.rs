@@ -41,6 +41,7 @@ pub(crate) enum Do {
     Add { lamp: Box<Value> },
     Copy { lamps: Vec<u32>, count: u32, step: Vec3 },
     Remove { lamps: Vec<u32> },
+    Group { lamps: Vec<u32>, name: Option<String> },
     End { label: Option<String> },
     Cancel,
     Undo,
@@ -48,7 +49,7 @@ pub(crate) enum Do {
     Solo { lamps: Vec<u32> },
     Display { patch: Box<Value> },
     Expose,
-    Reach { most: f32 },
+    Reach { most: f32, maintenance: f64 },
     Look { id: Option<u32>, name: Option<String>, what: String, seconds: f32 },
     Save { name: Option<String> },
     Edit { take: bool },
@@ -155,6 +156,10 @@ impl Do {
                 Do::Copy { lamps, count, step }
             }
             "remove" => Do::Remove { lamps: field(&mut fields, "lamps")? },
+            "group" => {
+                let name = text(&mut fields, "name")?;
+                Do::Group { lamps: field(&mut fields, "lamps")?, name }
+            }
             "end" => Do::End { label: text(&mut fields, "label")? },
             "cancel" => Do::Cancel,
             "undo" => Do::Undo,
@@ -167,7 +172,11 @@ impl Do {
                 if !(1.0..=10.0).contains(&most) {
                     return Err("levels may be set up to 1 to 10 times the lamps' flux".into());
                 }
-                Do::Reach { most }
+                let maintenance = fields.remove("maintenance").map_or(Ok(1.0), of)?;
+                if !(maintenance > 0.0 && maintenance <= 1.0) {
+                    return Err("a maintenance factor lies between 0 and 1".into());
+                }
+                Do::Reach { most, maintenance }
             }
             "look" => {
                 let ALook { id, name: called, what, seconds } = all(fields)?;

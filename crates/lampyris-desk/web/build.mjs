@@ -13,7 +13,7 @@ const require = createRequire(import.meta.url);
 const dist = join(here, 'dist');
 
 /** kB after gzip, at most. */
-const BUDGET = { 'desk.js': 40, 'desk.js + gizmo.js': 110, 'desk.css': 12, all: 120 };
+const BUDGET = { 'desk.js': 42, 'desk.js + gizmo.js': 110, 'desk.css': 12, all: 120 };
 
 const options = {
     absWorkingDir: here,

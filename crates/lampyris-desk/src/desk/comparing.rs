@@ -73,10 +73,11 @@ impl Desk {
 
     /// What meters and areas read now and by how much that is more than in the look, if one is compared with.
     pub(super) fn read_meters(&mut self) {
-        self.told = self.layout.told(&self.readings);
+        self.told = self.layout.told(&self.readings, self.measured);
         let Some((then, _)) = self.against() else { return };
         // From the same sums, so that equal mixes differ by nothing.
-        let [now, then] = [self.colors(), then].map(|colors| self.layout.told(&self.read_in(&colors)));
+        let [now, then] =
+            [self.colors(), then].map(|colors| self.layout.told(&self.read_in(&colors), self.measured));
         let lux = |told: &Value| told["lux"][0].as_f64().or(told["mean"].as_f64());
         for slice in ["meters", "grids"] {
             for (id, told) in self.told[slice].as_object_mut().into_iter().flatten() {

@@ -52,8 +52,10 @@ impl Desk {
         let edit = Edit::AddLight { light: light.clone() };
         scene.apply(&edit).map_err(|e| e.to_string())?;
         let emitter = adding::enter(scene, number);
-        let known = self.model.groups.iter().position(|own| own.name == ADDED);
-        let group = group.or(known.map(|at| at as u32)).unwrap_or_else(|| {
+        let known = || self.model.groups.iter().position(|own| own.name == ADDED).map(|at| at as u32);
+        // A copy stays where its pattern is, in a group or in none.
+        let comes = group.is_none();
+        let group = group.or_else(known).unwrap_or_else(|| {
             self.model.groups.push(Group { name: ADDED.into(), on: true, level: 1.0, gone: true });
             self.model.groups.len() as u32 - 1
         });
@@ -62,7 +64,7 @@ impl Desk {
         self.studio.edit(vec![edit], seq);
         let lamp = LampPatch { gone: Some(false), ..LampPatch::default() };
         let mut there = Patch { lamps: [(id, lamp)].into(), ..Patch::default() };
-        if self.model.groups.get(group as usize).is_some_and(|group| group.gone) {
+        if comes && self.model.groups.get(group as usize).is_some_and(|group| group.gone) {
             let back = GroupPatch { gone: Some(false), ..GroupPatch::default() };
             there.groups.insert(group, back);
         }

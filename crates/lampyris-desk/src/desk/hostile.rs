@@ -16,7 +16,7 @@ use lampyris::world::World;
 use std::path::Path;
 use std::sync::Arc;
 
-const VALID: [&str; 28] = [
+const VALID: [&str; 31] = [
     r#"{"do":"size","seq":2,"width":640,"height":480}"#,
     r#"{"do":"camera","seq":3,"eye":[0,0,1.6],"target":[1,0,1.6],"up":[0,0,1],"fov":60,"height":5,"near":0.5}"#,
     r#"{"do":"ask","seq":4,"id":1,"what":"point","frame":7,"x":10,"y":20.5}"#,
@@ -37,6 +37,8 @@ const VALID: [&str; 28] = [
     r#"{"do":"add","seq":7,"lamp":{"kind":"spot","flux":300,"place":{"position":[1,4,1],"aim":[3,0.5,3]}}}"#,
     r#"{"do":"copy","seq":8,"lamps":[1],"count":2,"step":[0.1,0,0]}"#,
     r#"{"do":"remove","seq":9,"lamps":[1]}"#,
+    r#"{"do":"group","seq":9,"lamps":[0,1],"name":"row"}"#,
+    r#"{"do":"group","seq":9,"lamps":[0]}"#,
     r#"{"do":"end","seq":10,"label":"dragged"}"#,
     r#"{"do":"look","seq":11,"what":"store","name":"evening"}"#,
     r#"{"do":"look","seq":11,"what":"recall","id":0,"seconds":2}"#,
@@ -44,6 +46,7 @@ const VALID: [&str; 28] = [
     r#"{"do":"display","seq":12,"patch":{"false_color":{"quantity":"difference","against":0,"low":-500,"high":500,"scale":"linear","palette":"diverging","lines":true}}}"#,
     r#"{"do":"reach","seq":13,"most":2}"#,
     r#"{"do":"solo","seq":13,"lamps":[0]}"#,
+    r#"{"do":"reach","seq":14,"maintenance":0.8}"#,
     r#"{"do":"undo","seq":14}"#,
 ];
 
@@ -115,7 +118,7 @@ impl Dice {
 }
 
 /// A desk that nobody renders for.
-fn desk(model: &Model, scene: &Scene) -> Desk {
+pub(super) fn desk(model: &Model, scene: &Scene) -> Desk {
     let parts = Parts {
         hub: Arc::new(Hub::new()),
         door: Arc::new(Door::new("127.0.0.1:4000".parse().unwrap(), None).unwrap()),

@@ -11,15 +11,16 @@ use std::f32::consts::PI;
 const PULL: f64 = 1e-3;
 
 impl Desk {
-    /// Levels up to `full` of each lamp's flux by which the meters that have a target come nearest to it; one that is higher
-    /// already may stay.
-    pub(super) fn reach(&mut self, seq: u32, full: f32) -> Result<bool, String> {
+    /// Levels up to `full` of each lamp's flux by which the meters that have a target come nearest to it once so much of their
+    /// light is left; one that is higher already may stay.
+    pub(super) fn reach(&mut self, seq: u32, full: f32, maintenance: f64) -> Result<bool, String> {
         let given = self.by_layer.iter().zip(self.colors_of_scene());
         let lux = |(layer, color): (&Vec<Rgb>, Rgb)| {
             layer.iter().map(|white| f64::from((*white * color).luminance() * PI)).collect()
         };
         let by_layer: Vec<Vec<f64>> = given.map(lux).collect();
-        let (rows, targets) = self.layout.wanted(&self.model.notes, &by_layer, &self.readings);
+        let (rows, mut targets) = self.layout.wanted(&self.model.notes, &by_layer, &self.readings);
+        targets.iter_mut().for_each(|target| *target /= maintenance);
         if targets.is_empty() {
             return Err("no meter and no area has a target, or they are not measured yet".into());
         }

@@ -1,77 +1,77 @@
 // node_modules/preact/dist/preact.mjs
-var E, Jr, Co, Fe, So, Pn, Zr, En, ei, Eo, Mo, us, zt = /* @__PURE__ */ Symbol.for("pv"), $n = {}, Ln = [], cs = /^m(i|n|o|s|text|space)$/, To = Array.isArray, Po = Ln.slice, tt = Object.assign;
-function et(e) {
+var C, oi, To, Ne, Co, Rn, ri, Vn, ii, Po, Eo, ms, Bt = /* @__PURE__ */ Symbol.for("pv"), An = {}, Hn = [], hs = /^m(i|n|o|s|text|space)$/, $o = Array.isArray, Lo = Hn.slice, et = Object.assign;
+function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function ti(e, t, n) {
+function ai(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
-  return s > 2 && (a.children = s > 3 ? Po.call(arguments, 2) : n), Bt(e, a, o, r, null);
+  return s > 2 && (a.children = s > 3 ? Lo.call(arguments, 2) : n), Wt(e, a, o, r, null);
 }
-function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Jr, __i: -1, __u: 0 };
-  return !r && E.vnode && E.vnode(i), i;
+function Wt(e, t, n, o, r) {
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++oi, __i: -1, __u: 0 };
+  return !r && C.vnode && C.vnode(i), i;
 }
-function X(e) {
+function Y(e) {
   return e.children;
 }
-function gt(e, t) {
+function vt(e, t) {
   this.props = e, this.context = t, this.__g = 0;
 }
-function Ne(e, t) {
-  if (t == null) return e.__ && Ne(e.__, e.__i + 1);
+function qe(e, t) {
+  if (t == null) return e.__ && qe(e.__, e.__i + 1);
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
-  return typeof e.type != "function" || e.props.__P ? null : Ne(e);
+  return typeof e.type != "function" || e.props.__P ? null : qe(e);
 }
-function fs(e) {
+function vs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = tt({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), $o(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, si(r, t, i), n.__ = n.__e = null, t.__e != o && ni(t));
+  a && ((t = et({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Vo(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, pi(r, t, i), n.__ = n.__e = null, t.__e != o && si(t));
 }
-function ni(e) {
+function si(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), ni(e);
+  }), si(e);
 }
-function Yr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Pn++)) && So == E.debounceRendering || ((So = E.debounceRendering) || queueMicrotask)(oi);
+function ti(e) {
+  (8 & e.__g || (e.__g |= 8, Ne.push(e), Rn++)) && Co == C.debounceRendering || ((Co = C.debounceRendering) || queueMicrotask)(li);
 }
-function oi() {
+function li() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Zr), e = Fe.shift(), t = Fe.length, 8 & e.__g && fs(e);
+    for (var e, t = 1; Ne.length; ) Ne.length > t && Ne.sort(ri), e = Ne.shift(), t = Ne.length, 8 & e.__g && vs(e);
   } finally {
-    (Pn = Fe.length) && (So || queueMicrotask)(oi);
+    (Rn = Ne.length) && (Co || queueMicrotask)(li);
   }
 }
-function ri(e, t, n, o, r, i, a, s, p, c, u) {
-  var d, m, f, b, y, w, x = o.__k || Ln, k = t.length;
-  for (p = ps(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || $n, f.__i = d, w = $o(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Lo(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ii(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+function ui(e, t, n, o, r, i, a, s, p, u, c) {
+  var d, m, f, b, y, x, S = o.__k || Hn, w = t.length;
+  for (p = gs(n, t, S, p, w), d = 0; d < w; d++) (f = n.__k[d]) != null && (m = ~f.__i && S[f.__i] || An, f.__i = d, x = Vo(e, f, m, r, i, a, s, p, u, c), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Io(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ci(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? p = x : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function ps(e, t, n, o, r) {
-  var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : To(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ds(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
-  if (x) {
-    for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
-      for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
-      u[w] = a.__i, d[i] = w + 1;
+function gs(e, t, n, o, r) {
+  var i, a, s, p, u, c, d, m, f, b = n.length, y = b, x = 0, S = 0, w = e.__k = Array(r);
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = w[i] = Wt(null, a) : $o(a) ? a = w[i] = Wt(Y, { children: a }) : a.constructor === Bt && a.__b ? a = w[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : w[i] = a, p = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(u = a.__i = bs(a, n, p, y)) && (y--, (s = n[u]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, u == p - 1 ? x-- : u == p + 1 ? x++ : u != p && (u > p ? x-- : x++, S = 1)) : (~u || (r > b ? x-- : r < b && x++), typeof a.type != "function" && (a.__u |= 4))) : w[i] = null;
+  if (S) {
+    for (c = [], d = [], i = 0; i < r; i++) if ((a = w[i]) && 16 & a.__u) {
+      for (x = 0, m = c.length; x < m; ) c[f = x + m >> 1] < a.__i ? x = f + 1 : m = f;
+      c[x] = a.__i, d[i] = x + 1;
     }
-    for (w = u.length; i--; ) d[i] && (d[i] == w ? w-- : k[i].__u |= 4);
+    for (x = c.length; i--; ) d[i] && (d[i] == x ? x-- : w[i].__u |= 4);
   }
-  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Vo(s, s));
+  if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), Ro(s, s));
   return o;
 }
-function ii(e, t, n, o) {
+function ci(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ii(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ci(r[i], t, n, !1));
     return t;
   }
-  for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
+  for (t && !t.parentNode && (t = qe(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function ds(e, t, n, o) {
+function bs(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function ds(e, t, n, o) {
   }
   return -1;
 }
-function Qr(e, t, n) {
+function ni(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
-function Cn(e, t, n, o, r) {
+function Ln(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Qr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Qr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || ni(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || ni(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Mo[t] || (Mo[t] = ms(t)), (e.__a || (e.__a = {}))[t] = Eo, i = t != (t = t.replace(ei, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Eo[t] || (Eo[t] = ys(t)), (e.__a || (e.__a = {}))[t] = Po, i = t != (t = t.replace(ii, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,65 +101,65 @@ function Cn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ms(e) {
+function ys(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
-      if (n = n[e], t[En] == null) t[En] = Eo++;
-      else if (t[En] < this.__a[e]) return;
-      return n(E.event ? E.event(t) : t);
+      if (n = n[e], t[Vn] == null) t[Vn] = Po++;
+      else if (t[Vn] < this.__a[e]) return;
+      return n(C.event ? C.event(t) : t);
     }
   };
 }
-function $o(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k, _, C, Me, Ze, fe, ve, h, v, $, L = t.type;
-  if (t.constructor !== zt) return null;
-  128 & n.__u && (p = 32 & n.__u, u = n.__c.__z) && (t.__u |= p, d = i = [], u.nodeType == 8 ? s = Tn(u, i) : i.push(u), s = i[0] || s), (u = E.__b) && u(t);
-  e: if (typeof L == "function") {
+function Vo(e, t, n, o, r, i, a, s, p, u) {
+  var c, d, m, f, b, y, x, S, w, M, I, Me, Je, fe, ve, h, v, T, P = t.type;
+  if (t.constructor !== Bt) return null;
+  128 & n.__u && (p = 32 & n.__u, c = n.__c.__z) && (t.__u |= p, d = i = [], c.nodeType == 8 ? s = In(c, i) : i.push(c), s = i[0] || s), (c = C.__b) && c(t);
+  e: if (typeof P == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = vs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = tt({}, f.__s)), tt(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
-        if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
-          t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
-            V && (V.__ = t);
-          }), Ln.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = Ne(n);
+      if (S = t.props, w = (c = P.prototype) && c.render, M = (c = P.contextType) && o[c.__c], I = c ? M ? M.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (w ? t.__c = f = new P(S, I) : (t.__c = f = new vt(S, I), f.constructor = P, f.render = ws), M && M.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), w && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, P.getDerivedStateFromProps(S, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+        if (S !== b && w && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(S, I), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(S, f.__s, I) === !1) {
+          t.__v != n.__v && (f.props = S, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function($) {
+            $ && ($.__ = t);
+          }), Hn.push.apply(f.__h, f.__k), f.__k = [], f.__h.length && a.push(f), s = qe(n);
           break e;
         }
-        f.componentWillUpdate && f.componentWillUpdate(x, f.__s, C), k && f.componentDidUpdate && f.__h.push(function() {
-          f.componentDidUpdate(b, y, w);
+        f.componentWillUpdate && f.componentWillUpdate(S, f.__s, I), w && f.componentDidUpdate && f.__h.push(function() {
+          f.componentDidUpdate(b, y, x);
         });
-      } else k && !L.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), k && f.componentDidMount && f.__h.push(f.componentDidMount);
-      f.context = C, f.props = x, f.__P = e, f.__g &= -5, Me = E.__r, Ze = k ? 25 : 0;
+      } else w && !P.getDerivedStateFromProps && f.componentWillMount && f.componentWillMount(), w && f.componentDidMount && f.__h.push(f.componentDidMount);
+      f.context = I, f.props = S, f.__P = e, f.__g &= -5, Me = C.__r, Je = w ? 25 : 0;
       do
-        f.__g &= -9, Me && Me(t), u = f.render(f.props, f.state = f.__s, f.context);
-      while (8 & f.__g && ++Ze < 25);
-      k && (Ln.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = tt({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
-        V && Vo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ri(e, To(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(et), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
-    } catch (V) {
-      if (a.length = m, t.__v = null, p || i) if (V && V.then) {
+        f.__g &= -9, Me && Me(t), c = f.render(f.props, f.state = f.__s, f.context);
+      while (8 & f.__g && ++Je < 25);
+      w && (Hn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), w && n.__c && f.getSnapshotBeforeUpdate && (x = f.getSnapshotBeforeUpdate(b, y)), fe = c && c.type === Y && c.key == null ? c.props.children : c, S.__P && (c = s, r = (e = S.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function($) {
+        $ && Ro($, $);
+      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = ui(e, $o(fe) ? fe : [fe], t, n, o, r, i, a, s, p, u), S.__P && (t.__e = null, s = c), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+    } catch ($) {
+      if (a.length = m, t.__v = null, p || i) if ($ && $.then) {
         if (t.__u |= 128 | p, i) {
-          for (~(v = i.indexOf(s || void 0)) || (v = i.length); ($ = i[v - 1]) && $.nodeType == 8; ) v--;
-          for (; v < i.length; v++) if ($ = i[v]) if (i[v] = null, ve) {
-            if ($ == h) break;
+          for (~(v = i.indexOf(s || void 0)) || (v = i.length); (T = i[v - 1]) && T.nodeType == 8; ) v--;
+          for (; v < i.length; v++) if (T = i[v]) if (i[v] = null, ve) {
+            if (T == h) break;
           } else {
-            if ($.nodeType != 8) break;
-            $.data.startsWith("$s") && (h = Tn(ve = $));
+            if (T.nodeType != 8) break;
+            T.data.startsWith("$s") && (h = In(ve = T));
           }
         }
         if (!ve) {
           for (; s && s.nodeType == 8 && s.nextSibling; ) s = s.nextSibling;
           ve = s;
         }
-        (u = Tn(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
-      } else i && i.some(et);
+        (c = In(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = c) : t.__e = s, s = s && s.nextSibling;
+      } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ai(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), $ && $.then || fi(t), C.__e($, t, n);
     }
-  } else s = t.__e = hs(n.__e, t, n, o, r, i, a, p, c, e);
-  return (u = E.diffed) && u(t), s;
+  } else s = t.__e = _s(n.__e, t, n, o, r, i, a, p, u, e);
+  return (c = C.diffed) && c(t), s;
 }
-function Tn(e, t) {
+function In(e, t) {
   if (e && e.nodeType == 8 && e.data.startsWith("$s")) for (var n = 1; e = e.nextSibling; ) {
     if (e.nodeType == 8) {
       if (e.data.startsWith("$s")) n++;
@@ -168,69 +168,69 @@ function Tn(e, t) {
     t && t.push(e);
   }
 }
-function ai(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ai));
+function fi(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(fi));
 }
-function si(e, t, n) {
-  for (var o = 0; o < n.length; ) Lo(n[o++], n[o++], n[o++]);
-  E.__c && E.__c(t, e), e.some(function(r) {
+function pi(e, t, n) {
+  for (var o = 0; o < n.length; ) Io(n[o++], n[o++], n[o++]);
+  C.__c && C.__c(t, e), e.some(function(r) {
     try {
       e = r.__h, r.__h = [], e.some(function(i) {
         i.call(r);
       });
     } catch (i) {
-      E.__e(i, r.__v);
+      C.__e(i, r.__v);
     }
   });
 }
-function hs(e, t, n, o, r, i, a, s, p, c) {
-  var u, d, m, f, b, y, w, x, k = n.props || $n, _ = t.props, C = t.type;
-  if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
-    for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
-      e = b, i[u] = null;
+function _s(e, t, n, o, r, i, a, s, p, u) {
+  var c, d, m, f, b, y, x, S, w = n.props || An, M = t.props, I = t.type;
+  if (I == "svg" ? r = "http://www.w3.org/2000/svg" : I == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
+    for (c = 0; c < i.length; c++) if ((b = i[c]) && (I ? b.localName == I : b.nodeType == 3)) {
+      e = b, i[c] = null;
       break;
     }
   }
   if (!e) {
-    if (x = c.ownerDocument || document, !C) return x.createTextNode(_);
-    e = x.createElementNS(r, C, _.is ? _ : c), s && (E.__m && E.__m(t, i), s = !1), i = null;
+    if (S = u.ownerDocument || document, !I) return S.createTextNode(M);
+    e = S.createElementNS(r, I, M.is ? M : u), s && (C.__m && C.__m(t, i), s = !1), i = null;
   }
-  if (C) {
-    if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && Po.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
-    for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Cn(e, u, null, b, r);
-    for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Cn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && cs.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ri(c, To(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(et)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Cn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Cn(e, u, w, k[u], r));
-  } else k === _ || s && e.data == _ || (e.data = _);
+  if (I) {
+    if (u = I == "template" && e.content || e, i = I == "textarea" && M.defaultValue != null ? null : i && Lo.call(u.childNodes), !s && i) for (w = {}, c = 0; c < e.attributes.length; c++) w[(b = e.attributes[c]).name] = b.value;
+    for (c in w) b = w[c], c == "dangerouslySetInnerHTML" ? m = b : c == "children" || c in M || c == "value" && "defaultValue" in M || c == "checked" && "defaultChecked" in M || Ln(e, c, null, b, r);
+    for (c in M) b = M[c], c == "children" ? f = b : c == "dangerouslySetInnerHTML" ? d = b : c == "value" ? y = b : c == "checked" ? x = b : s && typeof b != "function" || w[c] === b || Ln(e, c, b, w[c], r);
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (I == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && hs.test(I)) && (r = "http://www.w3.org/1999/xhtml"), ui(u, $o(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(Ze)), s && I != "textarea" || (c = "value", I == "progress" && y == null ? e.removeAttribute(c) : y == null || y === e[c] && (I != "progress" || y) || Ln(e, c, y, w[c], r), c = "checked", x != null && x != e[c] && Ln(e, c, x, w[c], r));
+  } else w === M || s && e.data == M || (e.data = M);
   return e;
 }
-function Lo(e, t, n, o) {
+function Io(e, t, n, o) {
   try {
     typeof e == "function" ? t ? t.__x = e(t) || 1 : o && (o = o.__c || o.__e) && (t = o.__x) && (o.__x = null, typeof t == "function" ? t() : e(null)) : e.current = t;
   } catch (r) {
-    E.__e(r, n);
+    C.__e(r, n);
   }
 }
-function Vo(e, t, n) {
+function Ro(e, t, n) {
   var o, r, i, a;
-  if (E.unmount && E.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Lo(o, null, t, e), o = e.__c) {
+  if (C.unmount && C.unmount(e), !(o = e.ref) || o.current && o.current != e.__e || Io(o, null, t, e), o = e.__c) {
     if (o.componentWillUnmount) try {
       o.componentWillUnmount();
     } catch (s) {
-      E.__e(s, t);
+      C.__e(s, t);
     }
     o.__P = o.__n = null;
   }
-  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Vo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
-  !n && (o = e.__c) && (o = o.__z) && (r = Tn(o, i = [])) && (o == e.__e && i.some(et), et(r), et(o)), n || et(e.__e), e.__e = e.__c = e.__ = null;
+  if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Ro(o[a], t, typeof e.type != "function" || n && !e.props.__P);
+  !n && (o = e.__c) && (o = o.__z) && (r = In(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function vs(e, t, n) {
+function ws(e, t, n) {
   return this.constructor(e, n);
 }
-function li(e, t) {
+function di(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], $o(t, t.__k, o || $n, $n, t.namespaceURI, o ? null : t.firstChild ? Po.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), si(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(Y, { children: [e] }), r = [], i = [], Vo(t, t.__k, o || An, An, t.namespaceURI, o ? null : t.firstChild ? Lo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), pi(r, t.__k, i), t.__k.props.children = null;
 }
-E = { __e: function(e, t, n, o) {
+C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
     r.__g |= 4;
     try {
@@ -239,51 +239,51 @@ E = { __e: function(e, t, n, o) {
       e = s;
     }
   }
-  throw Pn = 0, e;
-} }, Jr = 0, Co = function(e) {
-  return e != null && e.constructor === zt;
-}, gt.prototype.setState = function(e, t) {
+  throw Rn = 0, e;
+} }, oi = 0, To = function(e) {
+  return e != null && e.constructor === Bt;
+}, vt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = tt({}, this.state)), typeof e == "function" && (e = e(tt({}, n), this.props)), e && (tt(n, e), this.__v && (t && this.__k.push(t), Yr(this)));
-}, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Yr(this));
-}, gt.prototype.render = X, Fe = [], Pn = 0, Zr = function(e, t) {
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), ti(this)));
+}, vt.prototype.forceUpdate = function(e) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), ti(this));
+}, vt.prototype.render = Y, Ne = [], Rn = 0, ri = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, En = /* @__PURE__ */ Symbol(), ei = /(PointerCapture)$|Capture$/i, Eo = 0, Mo = {}, us = 0;
+}, Vn = /* @__PURE__ */ Symbol(), ii = /(PointerCapture)$|Capture$/i, Po = 0, Eo = {}, ms = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Io, ui, gs = Object.is, Ao = 0, bi = [], Ro = [], U = E, ci = U.__b, fi = U.__r, pi = U.diffed, di = U.__c, mi = U.unmount, hi = U.__;
-function Ho(e, t) {
-  U.__h && U.__h(re, e, Ao || t), Ao = 0;
+var zt, re, Ao, mi, ks = Object.is, Ho = 0, xi = [], Ko = [], U = C, hi = U.__b, vi = U.__r, gi = U.diffed, bi = U.__c, yi = U.unmount, _i = U.__;
+function Do(e, t) {
+  U.__h && U.__h(re, e, Ho || t), Ho = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
   return e >= n.__.length && n.__.push({}), n.__[e];
 }
 function Ce(e, t) {
-  var n = Ho(Xt++, 3);
-  !U.__s && Ko(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
+  var n = Do(zt++, 3);
+  !U.__s && Fo(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function bs(e, t) {
-  var n = Ho(Xt++, 4);
-  !U.__s && Ko(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
+function xs(e, t) {
+  var n = Do(zt++, 4);
+  !U.__s && Fo(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
-function te(e) {
-  return Ao = 5, Vn(function() {
+function ne(e) {
+  return Ho = 5, Kn(function() {
     return { current: e };
   }, []);
 }
-function Vn(e, t) {
-  var n = Ho(Xt++, 7);
-  return Ko(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
+function Kn(e, t) {
+  var n = Do(zt++, 7);
+  return Fo(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function ys() {
+function Ss() {
   var e;
   do {
-    for (; e = Ro.shift(); ) try {
+    for (; e = Ko.shift(); ) try {
       Gt(e);
     } catch (n) {
       U.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = bi.shift(); ) {
+    for (; e = xi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Oo), t.__h = [];
@@ -291,24 +291,24 @@ function ys() {
         t.__h = [], U.__e(n, e.__v);
       }
     }
-  } while (Ro.length);
+  } while (Ko.length);
 }
 U.__b = function(e) {
-  re = null, ci && ci(e);
+  re = null, hi && hi(e);
 }, U.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), hi && hi(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), _i && _i(e, t);
 }, U.__r = function(e) {
-  fi && fi(e), Xt = 0;
+  vi && vi(e), zt = 0;
   var t = (re = e.__c).__H;
-  t && (Io == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Oo), Xt = 0), t.__h = [], t.__.some(function(n) {
+  t && (Ao == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Oo), zt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
-  })), Io = re;
+  })), Ao = re;
 }, U.diffed = function(e) {
-  pi && pi(e);
+  gi && gi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && gi(bi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && ki(xi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
-  })), Io = re = null;
+  })), Ao = re = null;
 }, U.__c = function(e, t) {
   t.some(function(n) {
     try {
@@ -320,9 +320,9 @@ U.__b = function(e) {
         throw o;
       }];
     }
-  }), di && di(e, t);
+  }), bi && bi(e, t);
 }, U.unmount = function(e) {
-  mi && mi(e);
+  yi && yi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ U.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, gi(Ro.push(r));
+        r.__P = n, ki(Ko.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && U.__e(t, o.__v));
 };
-var vi = typeof requestAnimationFrame == "function";
-function _s(e) {
+var wi = typeof requestAnimationFrame == "function";
+function Ms(e) {
   var t, n = function() {
-    clearTimeout(o), vi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), wi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  vi && (t = requestAnimationFrame(n));
+  wi && (t = requestAnimationFrame(n));
 }
-function gi(e) {
-  e != 1 && ui == U.requestAnimationFrame || ((ui = U.requestAnimationFrame) || _s)(ys);
+function ki(e) {
+  e != 1 && mi == U.requestAnimationFrame || ((mi = U.requestAnimationFrame) || Ms)(Ss);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -356,31 +356,31 @@ function Oo(e) {
   var t = re;
   e.__c = e.__(), re = t;
 }
-function Ko(e, t) {
+function Fo(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !gs(n, e[o]);
+    return !ks(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ws = /* @__PURE__ */ Symbol.for("preact-signals");
-function On() {
-  if (Re > 1)
-    Re--;
+var Cs = /* @__PURE__ */ Symbol.for("preact-signals");
+function Nn() {
+  if (Ae > 1)
+    Ae--;
   else {
     var e, t = !1;
     for ((function() {
-      var r = An;
-      for (An = void 0; r !== void 0; ) {
+      var r = Dn;
+      for (Dn = void 0; r !== void 0; ) {
         var i = r.S;
         if (i.v === r.v) for (var a = i.t; a !== void 0; a = a.x) a.i === r.i && (a.i = i.i);
         r = r.o;
       }
-    })(); Qt !== void 0; ) {
-      var n = Qt;
-      for (Qt = void 0, In++; n !== void 0; ) {
+    })(); Yt !== void 0; ) {
+      var n = Yt;
+      for (Yt = void 0, On++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && _i(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && Mi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -388,110 +388,110 @@ function On() {
         n = o;
       }
     }
-    if (In = 0, Re--, t) throw e;
+    if (On = 0, Ae--, t) throw e;
   }
 }
-function Hn(e) {
-  if (Re > 0) return e();
-  Do = ++ks, Re++;
+function qn(e) {
+  if (Ae > 0) return e();
+  No = ++Es, Ae++;
   try {
     return e();
   } finally {
-    On();
+    Nn();
   }
 }
-var Yt, O = void 0;
-function ie(e) {
-  var t = O, n = Yt;
-  O = void 0, Yt = void 0;
+var Xt, H = void 0;
+function ue(e) {
+  var t = H, n = Xt;
+  H = void 0, Xt = void 0;
   try {
     return e();
   } finally {
-    O = t, Yt = n;
+    H = t, Xt = n;
   }
 }
-var Qt = void 0, Re = 0, In = 0, ks = 0, Do = 0, An = void 0, Rn = 0;
-function yi(e) {
-  if (O !== void 0) {
+var Yt = void 0, Ae = 0, On = 0, Es = 0, No = 0, Dn = void 0, Fn = 0;
+function Si(e) {
+  if (H !== void 0) {
     var t = e.n;
-    if (t === void 0 || t.t !== O)
-      return t = { i: 0, S: e, p: O.s, n: void 0, t: O, e: void 0, x: void 0, r: t }, O.s !== void 0 && (O.s.n = t), O.s = t, e.n = t, 32 & O.f && e.S(t), t;
+    if (t === void 0 || t.t !== H)
+      return t = { i: 0, S: e, p: H.s, n: void 0, t: H, e: void 0, x: void 0, r: t }, H.s !== void 0 && (H.s.n = t), H.s = t, e.n = t, 32 & H.f && e.S(t), t;
     if (t.i === -1)
-      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = O.s, t.n = void 0, O.s.n = t, O.s = t), t;
+      return t.i = 0, t.n !== void 0 && (t.n.p = t.p, t.p !== void 0 && (t.p.n = t.n), t.p = H.s, t.n = void 0, H.s.n = t, H.s = t), t;
   }
 }
-function Y(e, t) {
+function Q(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ws;
-Y.prototype.h = function() {
+Q.prototype.brand = Cs;
+Q.prototype.h = function() {
   return !0;
 };
-Y.prototype.S = function(e) {
+Q.prototype.S = function(e) {
   var t = this, n = this.t;
-  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : ie(function() {
+  n !== e && e.e === void 0 && (e.x = n, this.t = e, n !== void 0 ? n.e = e : ue(function() {
     var o;
     (o = t.W) == null || o.call(t);
   }));
 };
-Y.prototype.U = function(e) {
+Q.prototype.U = function(e) {
   var t = this;
   if (this.t !== void 0) {
     var n = e.e, o = e.x;
-    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && ie(function() {
+    n !== void 0 && (n.x = o, e.e = void 0), o !== void 0 && (o.e = n, e.x = void 0), e === this.t && (this.t = o, o === void 0 && ue(function() {
       var r;
       (r = t.Z) == null || r.call(t);
     }));
   }
 };
-Y.prototype.subscribe = function(e) {
+Q.prototype.subscribe = function(e) {
   var t = this;
-  return T(function() {
+  return L(function() {
     var n = t.value;
-    ie(function() {
+    ue(function() {
       return e(n);
     });
   }, { name: "sub" });
 };
-Y.prototype.valueOf = function() {
+Q.prototype.valueOf = function() {
   return this.value;
 };
-Y.prototype.toString = function() {
+Q.prototype.toString = function() {
   return this.value + "";
 };
-Y.prototype.toJSON = function() {
+Q.prototype.toJSON = function() {
   return this.value;
 };
-Y.prototype.peek = function() {
+Q.prototype.peek = function() {
   var e = this;
-  return ie(function() {
+  return ue(function() {
     return e.value;
   });
 };
-Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = yi(this);
+Object.defineProperty(Q.prototype, "value", { get: function() {
+  var e = Si(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
-    if (In > 100) throw new Error("Cycle detected");
+    if (On > 100) throw new Error("Cycle detected");
     (function(n) {
-      Re !== 0 && In === 0 && n.l !== Do && (n.l = Do, An = { S: n, v: n.v, i: n.i, o: An });
-    })(this), this.v = e, this.i++, Rn++, Re++;
+      Ae !== 0 && On === 0 && n.l !== No && (n.l = No, Dn = { S: n, v: n.v, i: n.i, o: Dn });
+    })(this), this.v = e, this.i++, Fn++, Ae++;
     try {
       for (var t = this.t; t !== void 0; t = t.x) t.t.N();
     } finally {
-      On();
+      Nn();
     }
   }
 } });
 function g(e, t) {
-  return new Y(e, t);
+  return new Q(e, t);
 }
-function _i(e) {
+function Mi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function wi(e) {
+function Ci(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,92 +500,92 @@ function wi(e) {
     }
   }
 }
-function ki(e) {
+function Ei(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
   }
   e.s = n;
 }
-function nt(e, t) {
-  Y.call(this, void 0, t), this.x = e, this.s = void 0, this.g = Rn - 1, this.f = 4;
+function tt(e, t) {
+  Q.call(this, void 0, t), this.x = e, this.s = void 0, this.g = Fn - 1, this.f = 4;
 }
-nt.prototype = new Y();
-nt.prototype.h = function() {
+tt.prototype = new Q();
+tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
-  if ((36 & this.f) == 32 || (this.f &= -5, this.g === Rn)) return !0;
-  if (this.g = Rn, this.f |= 1, this.i > 0 && !_i(this))
+  if ((36 & this.f) == 32 || (this.f &= -5, this.g === Fn)) return !0;
+  if (this.g = Fn, this.f |= 1, this.i > 0 && !Mi(this))
     return this.f &= -2, !0;
-  var e = O;
+  var e = H;
   try {
-    wi(this), O = this;
+    Ci(this), H = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, ki(this), this.f &= -2, !0;
+  return H = e, Ei(this), this.f &= -2, !0;
 };
-nt.prototype.S = function(e) {
+tt.prototype.S = function(e) {
   if (this.t === void 0) {
     this.f |= 36;
     for (var t = this.s; t !== void 0; t = t.n) t.S.S(t);
   }
-  Y.prototype.S.call(this, e);
+  Q.prototype.S.call(this, e);
 };
-nt.prototype.U = function(e) {
-  if (this.t !== void 0 && (Y.prototype.U.call(this, e), this.t === void 0)) {
+tt.prototype.U = function(e) {
+  if (this.t !== void 0 && (Q.prototype.U.call(this, e), this.t === void 0)) {
     this.f &= -33;
     for (var t = this.s; t !== void 0; t = t.n) t.S.U(t);
   }
 };
-nt.prototype.N = function() {
+tt.prototype.N = function() {
   if (!(2 & this.f)) {
     this.f |= 6;
     for (var e = this.t; e !== void 0; e = e.x) e.t.N();
   }
 };
-Object.defineProperty(nt.prototype, "value", { get: function() {
+Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = yi(this);
+  var e = Si(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
-  return new nt(e, t);
+  return new tt(e, t);
 }
-function xi(e) {
+function Ti(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
-    Re++;
-    var n = O;
-    O = void 0;
+    Ae++;
+    var n = H;
+    H = void 0;
     try {
       t();
     } catch (o) {
-      throw e.f &= -2, e.f |= 8, Fo(e), o;
+      throw e.f &= -2, e.f |= 8, qo(e), o;
     } finally {
-      O = n, On();
+      H = n, Nn();
     }
   }
 }
-function Fo(e) {
+function qo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, xi(e);
+  e.x = void 0, e.s = void 0, Ti(e);
 }
-function xs(e) {
-  if (O !== this) throw new Error("Out-of-order effect");
-  ki(this), O = e, this.f &= -2;
+function Ts(e) {
+  if (H !== this) throw new Error("Out-of-order effect");
+  Ei(this), H = e, this.f &= -2;
   try {
-    8 & this.f && Fo(this);
+    8 & this.f && qo(this);
   } finally {
-    On();
+    Nn();
   }
 }
-function bt(e, t) {
-  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Yt && Yt.push(this);
+function gt(e, t) {
+  this.x = e, this.j = void 0, this.s = void 0, this.u = void 0, this.f = 32, this.name = t?.name, Xt && Xt.push(this);
 }
-bt.prototype.c = function() {
+gt.prototype.c = function() {
   var e = this.S();
   try {
     if (8 & this.f || this.x === void 0) return;
@@ -595,23 +595,23 @@ bt.prototype.c = function() {
     e();
   }
 };
-bt.prototype.S = function() {
+gt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, xi(this), wi(this), Re++;
-  var e = O;
-  return O = this, xs.bind(this, e);
+  this.f |= 1, this.f &= -9, Ti(this), Ci(this), Ae++;
+  var e = H;
+  return H = this, Ts.bind(this, e);
 };
-bt.prototype.N = function() {
-  2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
+gt.prototype.N = function() {
+  2 & this.f || (this.f |= 2, this.u = Yt, Yt = this);
 };
-bt.prototype.d = function() {
-  this.f |= 8, 1 & this.f || Fo(this);
+gt.prototype.d = function() {
+  this.f |= 8, 1 & this.f || qo(this);
 };
-bt.prototype.dispose = function() {
+gt.prototype.dispose = function() {
   this.d();
 };
-function T(e, t) {
-  var n = new bt(e, t);
+function L(e, t) {
+  var n = new gt(e, t);
   try {
     n.c();
   } catch (r) {
@@ -622,85 +622,85 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var No, Zt, Kn, Ss = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Si = [], Mi = [];
-T(function() {
-  No = this.N;
+var Uo, Jt, Un, Ps = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Pi = [], $i = [];
+L(function() {
+  Uo = this.N;
 })();
-function yt(e, t) {
-  E[e] = t.bind(null, E[e] || function() {
+function bt(e, t) {
+  C[e] = t.bind(null, C[e] || function() {
   });
 }
-function Jt(e) {
-  if (Kn) {
-    var t = Kn;
-    Kn = void 0, t();
+function Qt(e) {
+  if (Un) {
+    var t = Un;
+    Un = void 0, t();
   }
-  Kn = e && e.S();
+  Un = e && e.S();
 }
-function Ci(e) {
-  var t = this, n = e.data, o = ot(n);
+function Li(e) {
+  var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
-  var r = Vn(function() {
+  var r = Kn(function() {
     for (var s = t, p = t.__v; p = p.__; ) if (p.__c) {
       p.__c.__$f |= 4;
       break;
     }
-    var c = N(function() {
+    var u = N(function() {
       var f = o.value.value;
       return f === 0 ? 0 : f === !0 ? "" : f || "";
-    }), u = N(function() {
-      return !Array.isArray(c.value) && !Co(c.value);
-    }), d = T(function() {
-      if (this.N = Ei, u.value) {
-        var f = c.value;
+    }), c = N(function() {
+      return !Array.isArray(u.value) && !To(u.value);
+    }), d = L(function() {
+      if (this.N = Vi, c.value) {
+        var f = u.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
     }), m = t.__$u.d;
     return t.__$u.d = function() {
       d(), m.call(this);
-    }, [u, c];
+    }, [c, u];
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Ci.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: ti(X, null).constructor }, type: { configurable: !0, value: Ci }, props: { configurable: !0, get: function() {
+Li.displayName = "ReactiveTextNode";
+Object.defineProperties(Q.prototype, { constructor: { configurable: !0, value: ai(Y, null).constructor }, type: { configurable: !0, value: Li }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
   } } };
 } }, __b: { configurable: !0, value: 1 } });
-yt("__b", function(e, t) {
-  if (Jt(), Zt = void 0, typeof t.type == "string") {
+bt("__b", function(e, t) {
+  if (Qt(), Jt = void 0, typeof t.type == "string") {
     var n, o = t.props;
     for (var r in o) if (r !== "children") {
       var i = o[r];
-      i instanceof Y && (n || (t.__np = n = {}), n[r] = i, o[r] = i.peek());
+      i instanceof Q && (n || (t.__np = n = {}), n[r] = i, o[r] = i.peek());
     }
   }
   e(t);
 });
-yt("__r", function(e, t) {
-  if (e(t), t.type !== X) {
-    Jt();
+bt("__r", function(e, t) {
+  if (e(t), t.type !== Y) {
+    Qt();
     var n, o = t.__c;
     o && (o.__$f &= -2, (n = o.__$u) === void 0 && (o.__$u = n = (function(r, i) {
       var a;
-      return T(function() {
+      return L(function() {
         a = this;
       }, { name: i }), a.c = r, a;
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        Ss && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        Ps && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
-    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
+    })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Jt = o, Qt(n);
   }
 });
-yt("__e", function(e, t, n, o) {
-  Jt(), Zt = void 0, e(t, n, o);
+bt("__e", function(e, t, n, o) {
+  Qt(), Jt = void 0, e(t, n, o);
 });
-yt("diffed", function(e, t) {
-  Jt(), Zt = void 0;
+bt("diffed", function(e, t) {
+  Qt(), Jt = void 0;
   var n;
   if (typeof t.type == "string" && (n = t.__e)) {
     var o = t.__np, r = t.props, i = n.U;
@@ -711,24 +711,24 @@ yt("diffed", function(e, t) {
     if (o) {
       i || (i = {}, n.U = i);
       for (var p in o) {
-        var c = i[p], u = o[p];
-        c === void 0 ? (c = Ms(n, p, u, r), i[p] = c) : c.o(u, r);
+        var u = i[p], c = o[p];
+        u === void 0 ? (u = $s(n, p, c, r), i[p] = u) : u.o(c, r);
       }
     }
   }
   e(t);
 });
-function Ms(e, t, n, o) {
+function $s(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
-  }, d: T(function() {
-    this.N = Ei;
+  }, d: L(function() {
+    this.N = Vi;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
 }
-yt("unmount", function(e, t) {
+bt("unmount", function(e, t) {
   if (typeof t.type == "string") {
     var n = t.__e;
     if (n) {
@@ -748,19 +748,19 @@ yt("unmount", function(e, t) {
     }
     t.__np = void 0;
   } else {
-    var c = t.__c;
-    if (c) {
-      c.__$f |= 8;
-      var u = c.__$u;
-      u && (c.__$u = void 0, u.d());
+    var u = t.__c;
+    if (u) {
+      u.__$f |= 8;
+      var c = u.__$u;
+      c && (u.__$u = void 0, c.d());
     }
   }
   e(t);
 });
-yt("__h", function(e, t, n, o) {
+bt("__h", function(e, t, n, o) {
   o < 3 && (t.__$f |= 2), e(t, n, o);
 });
-gt.prototype.shouldComponentUpdate = function(e, t) {
+vt.prototype.shouldComponentUpdate = function(e, t) {
   if (this.__R) return !0;
   var n = this.__$u, o = n && n.s !== void 0;
   for (var r in t) return !0;
@@ -772,192 +772,192 @@ gt.prototype.shouldComponentUpdate = function(e, t) {
   for (var s in this.props) if (!(s in e)) return !0;
   return !1;
 };
-function ot(e, t) {
-  return Vn(function() {
+function nt(e, t) {
+  return Kn(function() {
     return g(e, t);
   }, []);
 }
-var Cs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Ls = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Es = function(e) {
+}, Vs = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Ts() {
-  Hn(function() {
-    for (var e; e = Si.shift(); ) No.call(e);
+function Is() {
+  qn(function() {
+    for (var e; e = Pi.shift(); ) Uo.call(e);
   });
 }
-function Ps() {
-  Si.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ts);
+function Rs() {
+  Pi.push(this) === 1 && (C.requestAnimationFrame || Ls)(Is);
 }
-function $s() {
-  Hn(function() {
-    for (var e; e = Mi.shift(); ) No.call(e);
+function As() {
+  qn(function() {
+    for (var e; e = $i.shift(); ) Uo.call(e);
   });
 }
-function Ei() {
-  Mi.push(this) === 1 && (E.requestAnimationFrame || Es)($s);
+function Vi() {
+  $i.push(this) === 1 && (C.requestAnimationFrame || Vs)(As);
 }
-function Ti(e, t) {
-  var n = te(e);
+function Ii(e, t) {
+  var n = ne(e);
   n.current = e;
-  var o = Zt;
+  var o = Jt;
   Ce(function() {
-    return T(function() {
-      if (this.N = Ps, !(o && 8 & o.__$f)) return n.current();
+    return L(function() {
+      if (this.N = Rs, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
 
 // src/vec.ts
-var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], S = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
+var V = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] - t[0], e[1] - t[1], e[2] - t[2]], _ = (e, t) => [e[0] * t, e[1] * t, e[2] * t], q = (e, t) => e[0] * t[0] + e[1] * t[1] + e[2] * t[2], ge = (e, t) => [
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ls = (e, t, n) => I(S(e, 1 - n), S(t, n));
-function J(e, t = [0, 0, 1]) {
-  let n = Oe(e);
-  return n > 1e-12 ? S(e, 1 / n) : t;
+], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(O(e, t)), Hs = (e, t, n) => V(_(e, 1 - n), _(t, n));
+function ee(e, t = [0, 0, 1]) {
+  let n = be(e);
+  return n > 1e-12 ? _(e, 1 / n) : t;
 }
-function rt(e) {
-  let t = Math.abs(e[0]) < 0.7 * Oe(e) ? [1, 0, 0] : [0, 1, 0];
-  return J(ge(t, e));
+function ot(e) {
+  let t = Math.abs(e[0]) < 0.7 * be(e) ? [1, 0, 0] : [0, 1, 0];
+  return ee(ge(t, e));
 }
-function en(e, t, n) {
+function Zt(e, t, n) {
   let o = Math.cos(n), r = Math.sin(n);
-  return I(I(S(e, o), S(ge(t, e), r)), S(t, q(t, e) * (1 - o)));
+  return V(V(_(e, o), _(ge(t, e), r)), _(t, q(t, e) * (1 - o)));
 }
-function _t([e, t]) {
+function yt([e, t]) {
   return Array.from({ length: 8 }, (n, o) => [
     o & 1 ? t[0] : e[0],
     o & 2 ? t[1] : e[1],
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => Ls(e, t, 0.5);
+var Ue = ([e, t]) => Hs(e, t, 0.5);
 
 // src/camera.ts
-var qo = Math.PI / 180, Dn = 89 * qo;
-function wt(e, t, n) {
-  let o = J(K(e.target, e.eye), [0, 0, -1]), r = J(ge(o, e.up), rt(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * qo * 0.5) / n;
+var jo = Math.PI / 180, jn = 89 * jo;
+function _t(e, t, n) {
+  let o = ee(O(e.target, e.eye), [0, 0, -1]), r = ee(ge(o, e.up), ot(o)), i = ge(r, o), a = e.height != null && e.height > 0, s = a ? e.height / n : 2 * Math.tan(e.fov * jo * 0.5) / n;
   return { eye: e.eye, forward: o, side: r, up: i, width: t, height: n, pixel: s, parallel: a };
 }
-function tn(e, t) {
-  let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
+function en(e, t) {
+  let n = O(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function Vs(e, t, n) {
-  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
-  return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
+function Ks(e, t, n) {
+  let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = V(_(e.side, o), _(e.up, r));
+  return e.parallel ? { origin: V(e.eye, i), direction: e.forward } : { origin: e.eye, direction: ee(V(e.forward, i)) };
 }
-function Pi(e, t, n, o) {
-  let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), rt(t)), c = Math.max(-Dn, Math.min(Dn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
-  return { ...e, up: t, target: I(e.eye, S(d, i)) };
+function Ri(e, t, n, o) {
+  let r = O(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(ee(r), t)))), s = O(r, _(t, q(r, t))), p = ee(be(s) > 1e-6 * i ? s : O(e.up, _(t, q(e.up, t))), ot(t)), u = Math.max(-jn, Math.min(jn, a + o)), c = Zt(p, t, n), d = V(_(c, Math.cos(u)), _(t, Math.sin(u)));
+  return { ...e, up: t, target: V(e.eye, _(d, i)) };
 }
-function $i(e, t, n, o, r) {
-  let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, rt(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
-  return Ue(e, c);
+function Ai(e, t, n, o, r) {
+  let i = O(e.target, e.eye), a = O(i, _(t, q(i, t))), s = ee(be(a) > 1e-6 ? a : e.up, ot(t)), p = ee(ge(s, t)), u = V(V(_(s, n), _(p, o)), _(t, r));
+  return Ke(e, u);
 }
-function Li(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), rt(i));
-  return Ue(e, I(I(S(i, n), S(a, o)), S(t, r)));
+function Hi(e, t, n, o, r) {
+  let i = ee(O(e.target, e.eye)), a = ee(ge(i, e.up), ot(i));
+  return Ke(e, V(V(_(i, n), _(a, o)), _(t, r)));
 }
-function Ue(e, t) {
-  return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
+function Ke(e, t) {
+  return { ...e, eye: V(e.eye, t), target: V(e.target, t) };
 }
-function Vi(e, t, n, o, r) {
-  let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Dn, Math.min(Dn, a + r)), p = J(ge(i, t), J(ge(i, e.up), rt(i))), c = (u) => en(en(u, p, s - a), t, o);
+function Ki(e, t, n, o, r) {
+  let i = ee(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-jn, Math.min(jn, a + r)), p = ee(ge(i, t), ee(ge(i, e.up), ot(i))), u = (c) => Zt(Zt(c, p, s - a), t, o);
   return {
     ...e,
     up: t,
-    eye: I(n, c(K(e.eye, n))),
-    target: I(n, c(K(e.target, n)))
+    eye: V(n, u(O(e.eye, n))),
+    target: V(n, u(O(e.target, n)))
   };
 }
-function Ii(e, t, n, o, r) {
+function Oi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
-  return Ue(e, I(S(t.side, -n * i), S(t.up, o * i)));
+  return Ke(e, V(_(t.side, -n * i), _(t.up, o * i)));
 }
-function Fn(e, t, n, o, r) {
-  let i = K(t, e.eye), a = Oe(i);
+function Wn(e, t, n, o, r) {
+  let i = O(t, e.eye), a = be(i);
   if (a < 1e-9) return e;
   let s = a * (1 - n);
-  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Ue(e, S(i, s / a));
+  return r ? s = Math.sign(s) * Math.max(Math.abs(s), 0.5 * Math.abs(1 - n)) : s > 0 && (s = Math.max(0, Math.min(s, a - o))), Ke(e, _(i, s / a));
 }
-function Nn(e, t, n, o, r) {
-  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = I(
-    S(t.side, (n - t.width / 2) * a),
-    S(t.up, (t.height / 2 - o) * a)
+function Bn(e, t, n, o, r) {
+  let i = Math.max(0.05, Math.min(1e5, (e.height ?? 1) * r)), a = (1 - i / (e.height ?? 1)) * t.pixel, s = V(
+    _(t.side, (n - t.width / 2) * a),
+    _(t.up, (t.height / 2 - o) * a)
   );
-  return { ...Ue(e, s), height: i };
+  return { ...Ke(e, s), height: i };
 }
-function Ai(e, t, n = 0.4) {
-  let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
+function Di(e, t, n = 0.4) {
+  let o = Ue(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = ee(O(e.eye, e.target));
   if (e.height) {
-    let s = q(K(e.eye, o), i);
-    return { ...e, eye: I(o, S(i, s)), target: o, height: r * 3 };
+    let s = q(O(e.eye, o), i);
+    return { ...e, eye: V(o, _(i, s)), target: o, height: r * 3 };
   }
-  let a = Math.max(1.5 * r / Math.tan(e.fov * qo * 0.5), n + r);
-  return { ...e, eye: I(o, S(i, a)), target: o };
+  let a = Math.max(1.5 * r / Math.tan(e.fov * jo * 0.5), n + r);
+  return { ...e, eye: V(o, _(i, a)), target: o };
 }
-var Is = ["plan", "ceiling", "north", "east", "south", "west"];
-function Ri(e) {
-  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
-  return { right: J(ge(n, e)), ahead: n };
+var Os = ["plan", "ceiling", "north", "east", "south", "west"];
+function Fi(e) {
+  let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = ee(ge(e, t));
+  return { right: ee(ge(n, e)), ahead: n };
 }
-function Oi(e, t, n, o) {
-  let { right: r, ahead: i } = Ri(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
-    plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
-    ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
+function Ni(e, t, n, o) {
+  let { right: r, ahead: i } = Fi(n), a = Ue(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), u = {
+    plan: { forward: _(n, -1), up: i, side: r, cut: 0.15 },
+    ceiling: { forward: n, up: _(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
-    south: { forward: S(i, -1), up: n, side: r, cut: 0.25 },
+    south: { forward: _(i, -1), up: n, side: r, cut: 0.25 },
     east: { forward: r, up: n, side: i, cut: 0.25 },
-    west: { forward: S(r, -1), up: n, side: i, cut: 0.25 }
-  }[e], u = s(c.forward), d = 1, m = K(a, S(c.forward, u / 2 + d)), f = 1.08 * Math.max(s(c.up), s(c.side) / o, 0.1);
-  return { eye: m, target: a, up: c.up, fov: 50, height: f, near: d + u * c.cut };
+    west: { forward: _(r, -1), up: n, side: i, cut: 0.25 }
+  }[e], c = s(u.forward), d = 1, m = O(a, _(u.forward, c / 2 + d)), f = 1.08 * Math.max(s(u.up), s(u.side) / o, 0.1);
+  return { eye: m, target: a, up: u.up, fov: 50, height: f, near: d + c * u.cut };
 }
-function nn(e, t) {
+function tn(e, t) {
   let n = (r, i) => He(r, i) < 1e-4, o = (r, i) => Math.abs((r ?? -1) - (i ?? -1)) < 1e-4;
   return n(e.eye, t.eye) && n(e.target, t.target) && n(e.up, t.up) && o(e.fov, t.fov) && o(e.height, t.height) && o(e.near, t.near);
 }
 
 // src/counters.ts
-var ae = {
+var ie = {
   frame: 0,
   seqApplied: 0,
   frames: [],
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Hi = 0;
+}, qi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Hi = t.timeStamp, { capture: !0, passive: !0 });
-function Ki(e, t) {
-  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Hi }), ae.sent.length > 1024 && ae.sent.shift();
+  addEventListener(e, (t) => qi = t.timeStamp, { capture: !0, passive: !0 });
+function Ui(e, t) {
+  ie.sent.push({ seq: e, what: t, at: performance.now(), input: qi }), ie.sent.length > 1024 && ie.sent.shift();
 }
-function Di(e) {
-  ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
+function ji(e) {
+  ie.frame = e.frame, ie.seqApplied = e.seq, ie.firstDrawn ||= e.drawn, ie.frames.push(e), ie.frames.length > 1024 && ie.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
       e.painted = performance.now(), t.port1.close();
     }, t.port2.postMessage(0);
   });
 }
-window.__desk = ae;
+window.__desk = ie;
 
 // src/store.ts
-var qn = /* @__PURE__ */ new Set(), kt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
-function an(e, t) {
-  if (!kt(e) || !kt(t)) return t;
+var Gn = /* @__PURE__ */ new Set(), wt = (e) => typeof e == "object" && e !== null && !Array.isArray(e);
+function rn(e, t) {
+  if (!wt(e) || !wt(t)) return t;
   let n = { ...e };
-  for (let [o, r] of Object.entries(t)) n[o] = an(n[o], r);
+  for (let [o, r] of Object.entries(t)) n[o] = rn(n[o], r);
   return n;
 }
-var on = class {
+var nn = class {
   constructor(t) {
     this.server = t;
     this.shown = g(t);
@@ -973,9 +973,9 @@ var on = class {
   keep(t, n) {
     for (let [o, r] of Object.entries(t)) {
       let i = this.shown.peek()[o];
-      this.own.set(o, { value: an(i, r), seq: n });
+      this.own.set(o, { value: rn(i, r), seq: n });
     }
-    qn.add(this), this.show();
+    Gn.add(this), this.show();
   }
   /** The hand has let go: these fields wait for a patch of `seq` from now on. */
   settle(t, n) {
@@ -989,7 +989,7 @@ var on = class {
     let n = !1;
     for (let [o, r] of this.own)
       r.seq <= t && (n = this.own.delete(o) || n);
-    this.own.size === 0 && qn.delete(this), n && this.show();
+    this.own.size === 0 && Gn.delete(this), n && this.show();
   }
   show() {
     if (this.own.size === 0) {
@@ -1001,7 +1001,7 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Fi(e) {
+function Wi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1033,214 +1033,214 @@ var Ee = class {
   }
   whole(t) {
     let n = /* @__PURE__ */ new Map();
-    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new on(r));
+    for (let [o, r] of Object.entries(t ?? {})) n.set(Number(o), new nn(r));
     this.entries = n, this.number();
   }
   patch(t) {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Fi(a.shown.peek()) !== Fi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Wi(a.shown.peek()) !== Wi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new nn(r)), n = !0);
     }
     n && this.number();
   }
   number() {
     this.ids.value = [...this.entries.keys()].sort((t, n) => t - n);
   }
-}, M = new Ee(), D = new Ee(), be = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), Ct = new Ee(), Un = new Ee(), rn = {
-  lamps: M,
+}, k = new Ee(), D = new Ee(), ye = new Ee(), kt = new Ee(), xt = new Ee(), St = new Ee(), Mt = new Ee(), zn = new Ee(), on = {
+  lamps: k,
   groups: D,
-  things: be,
-  materials: xt,
-  views: St,
-  looks: Mt,
-  meters: Ct,
-  grids: Un
-}, Z = g(null), sn = g([]), ke = g([]), it = g({ undo: null, redo: null, steps: 0 }), at = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), jn = new on({
+  things: ye,
+  materials: kt,
+  views: xt,
+  looks: St,
+  meters: Mt,
+  grids: zn
+}, te = g(null), an = g([]), _e = g([]), rt = g({ undo: null, redo: null, steps: 0 }), it = g({ state: "clean", file: "" }), F = g({ you: !0, name: null }), Te = g(null), Xn = new nn({
   ev: null,
   metered: !1,
   tone: "filmic",
   white: null,
   false_color: null
-}), st = jn.shown, Uo = {
-  scene: Z,
-  layers: sn,
-  solo: ke,
-  history: it,
-  saved: at,
+}), at = Xn.shown, Wo = {
+  scene: te,
+  layers: an,
+  solo: _e,
+  history: rt,
+  saved: it,
   editor: F,
   status: Te
 };
-function Ni(e) {
-  qn.clear();
-  for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
-  for (let [t, n] of Object.entries(Uo)) t in e && (n.value = e[t]);
-  kt(e.display) && jn.receive(e.display);
+function Bi(e) {
+  Gn.clear();
+  for (let [t, n] of Object.entries(on)) n.whole(e[t]);
+  for (let [t, n] of Object.entries(Wo)) t in e && (n.value = e[t]);
+  wt(e.display) && Xn.receive(e.display);
 }
-function qi(e, t) {
+function Gi(e, t) {
   for (let [n, o] of Object.entries(e))
-    n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in Uo && (Uo[n].value = o);
-  Et(t);
+    n in on ? on[n].patch(o) : n === "display" ? Xn.receive(o) : n in Wo && (Wo[n].value = o);
+  Ct(t);
 }
-function Et(e) {
-  for (let t of [...qn]) t.release(e);
+function Ct(e) {
+  for (let t of [...Gn]) t.release(e);
 }
-function Ui(e, t) {
+function zi(e, t) {
   for (let [n, o] of Object.entries(e))
-    if (n in rn && kt(o))
+    if (n in on && wt(o))
       for (let [r, i] of Object.entries(o)) {
-        let a = rn[n].entry(Number(r));
-        a && kt(i) && t(a, i);
+        let a = on[n].entry(Number(r));
+        a && wt(i) && t(a, i);
       }
-    else n === "display" && kt(o) && t(jn, o);
+    else n === "display" && wt(o) && t(Xn, o);
 }
-var jo = (e, t) => Ui(e, (n, o) => n.keep(o, t)), Wn = (e, t) => Ui(e, (n, o) => n.settle(o, t));
-function lt(e) {
+var Bo = (e, t) => zi(e, (n, o) => n.keep(o, t)), Yn = (e, t) => zi(e, (n, o) => n.settle(o, t));
+function sn(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
 }
-function Wo(e) {
+function Go(e) {
   return e.reduce((t, n) => {
-    let o = M.get(n);
-    return t + (o ? o.flux * lt(o) : 0);
+    let o = k.get(n);
+    return t + (o ? o.flux * sn(o) : 0);
   }, 0);
 }
-var ji = N(() => {
-  let e = M.all();
-  return e.length > 0 && e.every(([, t]) => lt(t) === 0);
+var Xi = N(() => {
+  let e = k.all();
+  return e.length > 0 && e.every(([, t]) => sn(t) === 0);
 });
-function As(e, t) {
+function Ds(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var j = g("entering"), cn = g(0), pe = g("edit"), Bn = g(null), Ke = g(0), Wi = () => null, Bi = (e) => {
-  Wi = e;
-}, zn = /* @__PURE__ */ new Map(), je = null, ln = 0, Bo = null, un = 0, Tt = "", Gn = !1;
-function xe(e, t) {
-  let n = zn.get(e) ?? /* @__PURE__ */ new Set();
-  return zn.set(e, n.add(t)), () => n.delete(t);
+var j = g("entering"), cn = g(0), pe = g("edit"), Qn = g(null), Oe = g(0), Yi = () => null, Qi = (e) => {
+  Yi = e;
+}, Jn = /* @__PURE__ */ new Map(), je = null, ln = 0, zo = null, un = 0, Et = "", Zn = !1;
+function Se(e, t) {
+  let n = Jn.get(e) ?? /* @__PURE__ */ new Set();
+  return Jn.set(e, n.add(t)), () => n.delete(t);
 }
-function H(e) {
-  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Ki(ln, e.do), ln);
+function K(e) {
+  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Ui(ln, e.do), ln);
 }
-var Rs = 0, ut = /* @__PURE__ */ new Map();
-function Se(e, t, n, o = () => {
+var Fs = 0, st = /* @__PURE__ */ new Map();
+function De(e, t, n, o = () => {
 }) {
-  let r = ++Rs, i = xe("answer", (s) => {
+  let r = ++Fs, i = Se("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
-  }), a = H({ do: "ask", id: r, what: e, ...t });
+  }), a = K({ do: "ask", id: r, what: e, ...t });
   if (!a)
     return i(), o("There is no connection to the program."), i;
-  ut.set(a, (s) => {
+  st.set(a, (s) => {
     i(), o(s);
   });
-  for (let s of ut.keys()) {
+  for (let s of st.keys()) {
     if (s > a - 300) break;
-    ut.delete(s);
+    st.delete(s);
   }
   return i;
 }
-function Os(e) {
+function Ns(e) {
   switch (e.is) {
     case "hello":
-      if (un = 0, Bo !== null && e.build !== Bo) {
+      if (un = 0, zo !== null && e.build !== zo) {
         j.value = "renewed", je?.close();
         return;
       }
-      Bo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Bn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, ut.clear(), j.value = "open";
+      zo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Qn.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, st.clear(), j.value = "open";
       break;
     case "state":
-      Ni(e.state ?? e);
+      Bi(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Bn.value) && zo(e.seq), qi(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Qn.value) && Xo(e.seq), Gi(e.patch ?? {}, Oe.value);
       break;
     case "status":
       Te.value = e;
       break;
     case "refused":
-      if (zo(e.seq), Et(Ke.value), ut.has(e.seq)) {
-        ut.get(e.seq)?.(e.why ?? ""), ut.delete(e.seq);
+      if (Xo(e.seq), Ct(Oe.value), st.has(e.seq)) {
+        st.get(e.seq)?.(e.why ?? ""), st.delete(e.seq);
         return;
       }
       break;
     case "event":
-      e.what === "bye" && (Gn = !0);
+      e.what === "bye" && (Zn = !0);
       break;
   }
-  for (let t of [...zn.get(e.is) ?? []]) t(e);
+  for (let t of [...Jn.get(e.is) ?? []]) t(e);
 }
-function zo(e) {
-  typeof e == "number" && e > Ke.value && (Ke.value = e);
+function Xo(e) {
+  typeof e == "number" && e > Oe.value && (Oe.value = e);
 }
-async function zi() {
-  if (!Tt) return "in";
+async function Ji() {
+  if (!Et) return "in";
   try {
     return (await fetch("/enter", {
       method: "POST",
       headers: { "content-type": "application/json" },
-      body: JSON.stringify({ key: Tt })
+      body: JSON.stringify({ key: Et })
     })).ok ? "in" : "denied";
   } catch {
     return "away";
   }
 }
-function Gi() {
+function Zi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
-  je = t, zn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
+  je = t, Jn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
     if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = Wi(o.data);
-      i && F.value.you && zo(i.seq);
+      let i = Yi(o.data);
+      i && F.value.you && Xo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), Os(r);
+    r.is === "hello" && (n = !0, ln = 0), Ns(r);
   }, t.onclose = () => {
-    t === je && (je = null, j.value !== "renewed" && Hs(n));
+    t === je && (je = null, j.value !== "renewed" && qs(n));
   };
 }
-async function Hs(e) {
-  if (Et(1 / 0), !e && await Ks()) {
-    let o = await zi();
-    if (o === "denied" || o === "in" && un > 4 && !Tt) {
+async function qs(e) {
+  if (Ct(1 / 0), !e && await Us()) {
+    let o = await Ji();
+    if (o === "denied" || o === "in" && un > 4 && !Et) {
       j.value = "denied";
       return;
     }
   }
   un += 1;
   let t = /^(127\.|localhost$|\[::1\]$)/.test(location.hostname);
-  un > 3 && t && (Gn = !0), j.value = Gn ? "ended" : "lost";
+  un > 3 && t && (Zn = !0), j.value = Zn ? "ended" : "lost";
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, Gi();
+  cn.value = 0, Zi();
 }
-async function Ks() {
+async function Us() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Xi() {
+async function ea() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await zi() === "denied") {
+  if (e ? (Et = e, sessionStorage.setItem("lampyris-key", Et), window.history.replaceState(null, "", location.pathname + location.search)) : Et = sessionStorage.getItem("lampyris-key") ?? "", ie.entered = performance.now(), e && await Ji() === "denied") {
     j.value = "denied";
     return;
   }
-  Gi();
+  Zi();
 }
-xe("hello", () => Gn = !1);
+Se("hello", () => Zn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Yi = ["moving", "settled", "final"], Qi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, Go = null, Xo = !1, ct = null;
-function Ds(e) {
-  if (e.byteLength < Qi) return null;
+var W = g(null), Pt = g(0), ta = ["moving", "settled", "final"], na = 32, Tt = /* @__PURE__ */ new Map(), Pe = null, Yo = null, Qo = !1, lt = null;
+function js(e) {
+  if (e.byteLength < na) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function Ds(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Yi[Math.min(t.getUint8(16), 2)],
+    kind: ta[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1256,31 +1256,31 @@ function Ds(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Fs(e) {
-  let t = Ds(e);
-  return t ? (ct && H({ do: "ack", frame: ct.head.frame }), ct = { ...t, bytes: e, received: performance.now() }, Xo || Ns(), t.head) : null;
+function Ws(e) {
+  let t = js(e);
+  return t ? (lt && K({ do: "ack", frame: lt.head.frame }), lt = { ...t, bytes: e, received: performance.now() }, Qo || Bs(), t.head) : null;
 }
-async function Ns() {
-  for (Xo = !0; ct; ) {
-    let { head: e, mime: t, bytes: n, received: o } = ct;
-    ct = null;
+async function Bs() {
+  for (Qo = !0; lt; ) {
+    let { head: e, mime: t, bytes: n, received: o } = lt;
+    lt = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Qi)], { type: t }));
-      qs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, na)], { type: t }));
+      Gs(e, r, n.byteLength, o);
     } catch {
     }
-    H({ do: "ack", frame: e.frame });
+    K({ do: "ack", frame: e.frame });
   }
-  Xo = !1;
+  Qo = !1;
 }
-function qs(e, t, n, o) {
+function Gs(e, t, n, o) {
   let r = performance.now();
-  Pe && Go && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Go.drawImage(t, 0, 0)), t.close();
-  let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Us(), Di({
+  Pe && Yo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Yo.drawImage(t, 0, 0)), t.close();
+  let i = Tt.get(e.camera) ?? W.peek()?.camera;
+  i && (W.value = { head: e, camera: i }), zs(), ji({
     frame: e.frame,
     seq: e.seq,
-    kind: Yi.indexOf(e.kind),
+    kind: ta.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1293,70 +1293,70 @@ function qs(e, t, n, o) {
     encode: e.encode
   });
 }
-var Xn = [];
-function Us() {
+var eo = [];
+function zs() {
   let e = performance.now();
-  Xn = Xn.filter((t) => e - t < 1e3), Xn.push(e), $t.value = Xn.length;
+  eo = eo.filter((t) => e - t < 1e3), eo.push(e), Pt.value = eo.length;
 }
-function Yo(e) {
-  Pe = e, Go = e?.getContext("2d", { alpha: !1 }) ?? null;
+function Jo(e) {
+  Pe = e, Yo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Ji() {
+function oa() {
   if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Bi(Fs);
-xe("camera", (e) => {
-  Pt.set(e.number, e);
-  for (let t of Pt.keys()) {
-    if (Pt.size <= 64) break;
-    Pt.delete(t);
+Qi(Ws);
+Se("camera", (e) => {
+  Tt.set(e.number, e);
+  for (let t of Tt.keys()) {
+    if (Tt.size <= 64) break;
+    Tt.delete(t);
   }
 });
-xe("line", () => {
-  Pt.clear(), ct = null;
+Se("line", () => {
+  Tt.clear(), lt = null;
 });
 
 // src/prefs.ts
-var Zi = "lampyris-";
-function ue(e, t) {
+var ra = "lampyris-";
+function ae(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Zi + e);
+    let r = localStorage.getItem(ra + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
   let o = g(n);
-  return T(() => {
+  return L(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Zi + e, r);
+      localStorage.setItem(ra + e, r);
     } catch {
     }
   }), o;
 }
-var Qo = ue("theme", "dark"), Jo = ue("house-lights", 1), Yn = ue("hands", "default"), Zo = ue("walking", "walk"), er = ue("panels", !0), Lt = ue("listing", "faders"), Qn = ue("travel", "square"), Vt = ue("candles", "lx"), tr = ue("single-keys", !0), nr = ue("lamp-marks", !0), js = ue("maintenance", 1), We = ue("fine", !1), or = ue("fade", 1), Ws = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", Ws);
+var Zo = ae("theme", "dark"), er = ae("house-lights", 1), to = ae("hands", "default"), tr = ae("walking", "walk"), nr = ae("panels", !0), $t = ae("listing", "faders"), no = ae("travel", "square"), Lt = ae("candles", "lx"), or = ae("single-keys", !0), rr = ae("lamp-marks", !0), fn = ae("maintenance", 1), Xs = ae("work-plane", 0.75), We = ae("fine", !1), ir = ae("fade", 1), Ys = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, we = ae("look-only", Ys);
 
 // src/say.ts
-var ft = g([]), Bs = 0;
+var ut = g([]), Qs = 0;
 function se(e, t = "plain") {
-  if (ft.peek().find((r) => r.text === e)) return;
-  let o = ++Bs;
-  ft.value = [...ft.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => rr(o), t === "warn" ? 8e3 : 4e3);
+  if (ut.peek().find((r) => r.text === e)) return;
+  let o = ++Qs;
+  ut.value = [...ut.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => ar(o), t === "warn" ? 8e3 : 4e3);
 }
-function rr(e) {
-  ft.value = ft.peek().filter((t) => t.id !== e);
+function ar(e) {
+  ut.value = ut.peek().filter((t) => t.id !== e);
 }
 
 // src/gesture.ts
-var It = 0, na = /* @__PURE__ */ new Set(), oa = (e) => {
-  na.add(e);
-}, fn = /* @__PURE__ */ new Set(), Jn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
-function Zn() {
-  return j.value !== "open" ? "There is no connection to the program: nothing was changed." : Jn.value;
+var Vt = 0, sa = /* @__PURE__ */ new Set(), la = (e) => {
+  sa.add(e);
+}, pn = /* @__PURE__ */ new Set(), Ge = N(() => we.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
+function oo() {
+  return j.value !== "open" ? "There is no connection to the program: nothing was changed." : Ge.value;
 }
-var ea = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var ia = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1368,331 +1368,331 @@ var ea = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   state = "new";
   /** A new value of the control. */
   set(t) {
-    this.state === "over" || !this.begin() || (jo(t, 1 / 0), this.touched = an(this.touched, t), this.waiting = an(this.waiting ?? {}, t), this.under <= Ke.peek() && this.flush());
+    this.state === "over" || !this.begin() || (Bo(t, 1 / 0), this.touched = rn(this.touched, t), this.waiting = rn(this.waiting ?? {}, t), this.under <= Oe.peek() && this.flush());
   }
   /** Any other message that belongs to this step. */
   also(t) {
-    this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
+    this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Wn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: ea(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Yn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: ia(t) } : {} })), this.state = "over";
   }
   cancel() {
-    this.state === "held" && (this.waiting = null, Wn(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
+    this.state === "held" && (this.waiting = null, Yn(this.touched, 0), this.finish({ do: "cancel" }), Ct(0)), this.state = "over";
   }
   /** The server has followed so far. */
   followed() {
-    this.waiting && this.under <= Ke.peek() && this.flush();
+    this.waiting && this.under <= Oe.peek() && this.flush();
   }
   /** The line is gone, and with it what was held. */
   drop() {
-    this.state = "over", fn.delete(this), It = 0;
+    this.state = "over", pn.delete(this), Vt = 0;
   }
   begin() {
     if (this.state === "held") return !0;
-    let t = ie(Zn);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && na.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: ea(this.label) })), !0);
+    let t = ue(oo);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", pn.add(this), Vt === 0 && sa.forEach((n) => n()), Vt++ === 0 && (this.last = K({ do: "begin", label: ia(this.label) })), !0);
   }
   flush() {
-    this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
+    this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
   }
   finish(t) {
-    fn.delete(this), It = Math.max(0, It - 1), It === 0 && H(t);
+    pn.delete(this), Vt = Math.max(0, Vt - 1), Vt === 0 && K(t);
   }
 };
 function Le(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function zs(e, t) {
+function Js(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
-function At(e) {
-  ie(() => j.value) === "open" && (jo({ display: e }, 1 / 0), Wn({ display: e }, H({ do: "display", patch: e })));
+function It(e) {
+  ue(() => j.value) === "open" && (Bo({ display: e }, 1 / 0), Yn({ display: e }, K({ do: "display", patch: e })));
 }
 var $e = null;
-function ir(e, t, n) {
-  $e && $e.key !== e && ta(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(ta, 700);
+function sr(e, t, n) {
+  $e && $e.key !== e && aa(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(aa, 700);
 }
-function ta() {
+function aa() {
   $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
-T(() => {
-  Ke.value, ie(() => [...fn].forEach((e) => e.followed()));
+L(() => {
+  Oe.value, ue(() => [...pn].forEach((e) => e.followed()));
 });
-T(() => {
-  j.value !== "open" && [...fn].forEach((e) => e.drop());
+L(() => {
+  j.value !== "open" && [...pn].forEach((e) => e.drop());
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Gs = g(0.5);
-function Xs() {
-  let e = W.peek(), t = Ji();
-  e && t && (pn.value = { picture: t, camera: e.camera });
+var dn = g(null), de = g(null), Zs = g(0.5);
+function el() {
+  let e = W.peek(), t = oa();
+  e && t && (dn.value = { picture: t, camera: e.camera });
 }
-function ar() {
-  de.peek() !== "wipe" && Xs();
+function lr() {
+  de.peek() !== "wipe" && el();
 }
-oa(ar);
-function ra() {
-  let e = pn.peek(), t = W.peek();
+la(lr);
+function ua() {
+  let e = dn.peek(), t = W.peek();
   if (!e || !t) se("Nothing has been changed yet.");
-  else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
+  else if (!tn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
   else return !0;
   return !1;
 }
-function dn(e) {
-  e ? de.peek() === null && ra() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+function mn(e) {
+  e ? de.peek() === null && ua() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Ys() {
-  de.value = de.peek() === "wipe" ? null : ra() ? "wipe" : null;
+function tl() {
+  de.value = de.peek() === "wipe" ? null : ua() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), z = g(null), Qs = g("move"), le = N(() => {
-  let e = P.value;
-  return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
+var E = g(null), me = g(null), X = g(null), nl = g("move"), le = N(() => {
+  let e = E.value;
+  return e?.kind === "lamp" ? e.ids.filter((t) => k.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
 function ze(e, t, n = "only") {
-  let o = P.peek();
+  let o = E.peek();
   if (n === "only" || o?.kind !== e) {
-    P.value = { kind: e, ids: [t] };
+    E.value = { kind: e, ids: [t] };
     return;
   }
   let r = o.ids.includes(t);
   if (r && n === "add") return;
   let i = r ? o.ids.filter((a) => a !== t) : [...o.ids, t];
-  P.value = i.length ? { kind: e, ids: i } : null;
+  E.value = i.length ? { kind: e, ids: i } : null;
 }
-function eo() {
-  P.value = null;
+function ro() {
+  E.value = null;
 }
-function ia(e, t, n) {
-  let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
+function ca(e, t, n) {
+  let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
-  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
-  P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
+  let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), u = (o?.ids ?? []).filter((c) => !p.includes(c));
+  E.value = { kind: e, ids: [...u, ...r < i ? p : p.reverse()] };
 }
-function Js(e) {
-  let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
+function ol(e) {
+  let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function aa(e, t) {
+function fa(e, t) {
   switch (e) {
     case "lamp":
-      return M.get(t)?.name ?? `lamp ${t}`;
+      return k.get(t)?.name ?? `lamp ${t}`;
     case "group":
       return D.get(t)?.name ?? `group ${t}`;
     case "thing":
-      return be.get(t)?.name ?? `thing ${t}`;
+      return ye.get(t)?.name ?? `thing ${t}`;
     case "material":
-      return xt.get(t)?.name ?? `material ${t}`;
+      return kt.get(t)?.name ?? `material ${t}`;
     default:
       return `${e} ${t}`;
   }
 }
-function to(e) {
-  return e.length === 1 ? aa("lamp", e[0]) : `${e.length} lamps`;
+function io(e) {
+  return e.length === 1 ? fa("lamp", e[0]) : `${e.length} lamps`;
 }
-function sa(e, t) {
+function pa(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
-    let i = M.get(e.lamp)?.group;
+    let i = k.get(e.lamp)?.group;
     i != null && (D.get(i)?.lamps.length ?? 0) > 1 && n.push({ kind: "group", ids: [i] });
   }
   if (e?.thing != null && n.push({ kind: "thing", ids: [e.thing] }), !n.length) {
-    t === "only" && eo();
+    t === "only" && ro();
     return;
   }
   if (t !== "only") return ze(n[0].kind, n[0].ids[0], t);
-  let o = P.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
-  P.value = n[(r + 1) % n.length];
+  let o = E.peek(), r = n.findIndex((i) => o?.kind === i.kind && o.ids.length === 1 && o.ids[0] === i.ids[0]);
+  E.value = n[(r + 1) % n.length];
 }
-var no = g(null);
+var hn = g(null);
 
 // src/navigate.ts
-var Zs = 1.6, he = g(null), ua = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), ur = null, mn = null, sr = !1, Ge = [], fr = [], cr = 0;
-function Q(e, t = null) {
+var ma = 1.6, he = g(null), ha = N(() => pe.value === "edit" && F.value.you), Ve = N(() => te.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Ht = g(null), fr = null, vn = null, ur = !1, Xe = [], dr = [], pr = 0;
+function J(e, t = null) {
   let n = he.peek();
-  if (n && nn(n, e)) return;
+  if (n && tn(n, e)) return;
   let o = performance.now();
-  n && (o - cr > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), fr.length = 0), cr = o, he.value = e, Ht.value = t;
+  n && (o - pr > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), dr.length = 0), pr = o, he.value = e, Ht.value = t;
 }
-var ne = () => he.peek();
-function el() {
-  ca(Ge, fr);
+var oe = () => he.peek();
+function rl() {
+  va(Xe, dr);
 }
-function tl() {
-  ca(fr, Ge);
+function il() {
+  va(dr, Xe);
 }
-function ca(e, t) {
+function va(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
-  o && t.push(o), cr = performance.now(), he.value = n, Ht.value = null;
+  o && t.push(o), pr = performance.now(), he.value = n, Ht.value = null;
 }
-T(() => {
-  !he.value || j.value !== "open" || !ua.value || sr || (sr = !0, requestAnimationFrame(() => {
-    sr = !1;
+L(() => {
+  !he.value || j.value !== "open" || !ha.value || ur || (ur = !0, requestAnimationFrame(() => {
+    ur = !1;
     let t = he.peek();
-    if (!t || mn && nn(mn, t)) return;
+    if (!t || vn && tn(vn, t)) return;
     let { eye: n, target: o, up: r, fov: i, height: a, near: s } = t, p = { do: "camera", eye: n, target: o, up: r, fov: i };
-    a && (p.height = a), s && (p.near = s), H(p) && (mn = t);
+    a && (p.height = a), s && (p.near = s), K(p) && (vn = t);
   }));
 });
-T(() => {
+L(() => {
   let e = W.value;
-  e && ie(() => {
-    he.peek() && ua.peek() || (mn = e.camera, he.value = e.camera, ur ??= e.camera);
+  e && ue(() => {
+    he.peek() && ha.peek() || (vn = e.camera, he.value = e.camera, fr ??= e.camera);
   });
 });
-xe("hello", () => mn = null);
+Se("hello", () => vn = null);
 function Kt(e, t) {
   let n = W.peek();
   if (!n) return null;
-  let { head: o } = n, r = hn(o.width, o.height);
+  let { head: o } = n, r = gn(o.width, o.height);
   return { frame: o.frame, x: (e - r.x) / r.scale, y: (t - r.y) / r.scale };
 }
-function hn(e, t) {
-  let [n, o] = _e.peek(), r = Math.min(n / e, o / t);
+function gn(e, t) {
+  let [n, o] = ke.peek(), r = Math.min(n / e, o / t);
   return { x: (n - e * r) / 2, y: (o - t * r) / 2, scale: r };
 }
-function pt(e = he.peek()) {
-  let [t, n] = _e.peek();
-  return e ? wt(e, t, n) : null;
+function ct(e = he.peek()) {
+  let [t, n] = ke.peek();
+  return e ? _t(e, t, n) : null;
 }
-var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
-function oo(e, t) {
-  let n = ne();
-  n && Q(Pi(n, Ve.peek(), e, t));
+var At = () => te.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => Ue(At());
+function ao(e, t) {
+  let n = oe();
+  n && J(Ri(n, Ve.peek(), e, t));
 }
-function ro(e, t, n) {
-  let o = ne();
-  o && Q(Vi(o, Ve.peek(), e, t, n));
+function so(e, t, n) {
+  let o = oe();
+  o && J(Ki(o, Ve.peek(), e, t, n));
 }
-function Ft(e, t, n) {
-  let o = ne(), r = pt();
-  o && r && Q(Ii(o, r, e, t, n));
+function Dt(e, t, n) {
+  let o = oe(), r = ct();
+  o && r && J(Oi(o, r, e, t, n));
 }
-function fa(e, t, n) {
-  let o = ne();
+function ga(e, t, n) {
+  let o = oe();
   if (o) {
     if (o.height) {
-      let r = pt(o);
-      r && Q(Ue(o, I(S(r.side, t), S(r.up, e))));
+      let r = ct(o);
+      r && J(Ke(o, V(_(r.side, t), _(r.up, e))));
       return;
     }
-    Zo.peek() === "fly" || n !== 0 ? Q(Li(o, Ve.peek(), e, t, n)) : (Q($i(o, Ve.peek(), e, t, 0)), nl());
+    tr.peek() === "fly" || n !== 0 ? J(Hi(o, Ve.peek(), e, t, n)) : (J(Ai(o, Ve.peek(), e, t, 0)), al());
   }
 }
-var Rt = !1, lr = !0, la = null;
-function nl() {
-  let e = ne();
-  if (!e || Rt || !lr) return;
+var Rt = !1, cr = !0, da = null;
+function al() {
+  let e = oe();
+  if (!e || Rt || !cr) return;
   let t = Ve.peek();
   Rt = !0;
-  let n = Se("ray", { origin: e.eye, direction: S(t, -1) }, (o) => {
-    Rt = !1, lr = !0;
-    let r = ne();
+  let n = De("ray", { origin: e.eye, direction: _(t, -1) }, (o) => {
+    Rt = !1, cr = !0;
+    let r = oe();
     if (!o.hit || !r || r.height) return;
-    la = q(o.point, t);
-    let i = la + Zs - q(r.eye, t);
-    Math.abs(i) > 0.01 && Q(Ue(r, S(t, i * 0.5)));
+    da = q(o.point, t);
+    let i = da + ma - q(r.eye, t);
+    Math.abs(i) > 0.01 && J(Ke(r, _(t, i * 0.5)));
   }, () => {
-    Rt = !1, lr = !1;
+    Rt = !1, cr = !1;
   });
   setTimeout(() => {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function ol() {
-  let e = P.peek();
+function sl() {
+  let e = E.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
     i ? t.push(i) : a && t.push([a, a]);
   };
   for (let i of e.ids)
-    if (e.kind === "lamp" && n(M.get(i)?.box, M.get(i)?.place?.position), e.kind === "thing" && n(be.get(i)?.box), e.kind === "meter" && n(null, Ct.get(i)?.point), e.kind === "group")
-      for (let a of D.get(i)?.lamps ?? []) n(M.get(a)?.box, M.get(a)?.place?.position);
+    if (e.kind === "lamp" && n(k.get(i)?.box, k.get(i)?.place?.position), e.kind === "thing" && n(ye.get(i)?.box), e.kind === "meter" && n(null, Mt.get(i)?.point), e.kind === "group")
+      for (let a of D.get(i)?.lamps ?? []) n(k.get(a)?.box, k.get(a)?.place?.position);
   if (!t.length) return null;
-  let o = t.flatMap(_t), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
+  let o = t.flatMap(yt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function pr() {
-  let e = ne(), t = ol();
-  e && t ? Q(Ai(e, t), "selection") : dr();
+function ll() {
+  let e = oe(), t = sl();
+  e && t ? J(Di(e, t), "selection") : mr();
 }
-function dr() {
-  ur && Q(ur, "home");
+function mr() {
+  fr && J(fr, "home");
 }
-function rl(e) {
-  let [t, n] = _e.peek();
-  Q(Oi(e, Ot(), Ve.peek(), t / n), e);
+function ul(e) {
+  let [t, n] = ke.peek();
+  J(Ni(e, At(), Ve.peek(), t / n), e);
 }
-function il() {
-  for (let e = Ge.length - 1; e >= 0; e--)
-    if (!Ge[e].height) return Q(Ge[e], "inside");
-  dr();
+function cl() {
+  for (let e = Xe.length - 1; e >= 0; e--)
+    if (!Xe[e].height) return J(Xe[e], "inside");
+  mr();
 }
-var al = N(() => {
+var fl = N(() => {
   let e = he.value;
   if (!e?.height) return null;
-  let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
+  let t = _t(e, 2, 2), n = yt(At()).map((s) => q(O(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...yt(At()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function sl(e) {
-  let t = ne();
+function pl(e) {
+  let t = oe();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var mr = g("spot"), pa = () => {
-}, ll = (e) => {
-  pa = e;
-}, da = (e) => pa(e);
-function hr(e) {
-  z.value = z.peek() === e ? null : e;
-}
-var io = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+var hr = g("spot"), ba = () => {
+}, dl = (e) => {
+  ba = e;
+}, ya = (e) => ba(e);
 function vr(e) {
-  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? qe(e.box) : null);
+  X.value = X.peek() === e ? null : e;
+}
+var lo = (e) => Math.max(-1, ...e.ids.peek()) + 1;
+function gr(e) {
+  return e.kind === "sky" || e.kind === "parallel" ? null : e.place?.position ?? (e.box ? Ue(e.box) : null);
 }
 
 // src/actions.ts
-var dt = g(null), Ie = g("lamps"), gr = g("");
-function so(e) {
-  let t = Zn();
+var ft = g(null), Ie = g("lamps"), br = g("");
+function co(e) {
+  let t = oo();
   if (t) return se(t, "warn");
-  (e.do === "look" ? e.what === "recall" : e.do !== "save") && ar(), H(e);
+  (e.do === "look" ? e.what === "recall" : e.do !== "save") && lr(), K(e);
 }
-var ul = (e, t) => Object.fromEntries(e.map((n) => [n, t])), br = {
+var ml = (e, t) => Object.fromEntries(e.map((n) => [n, t])), yr = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vn = br, ma = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }), cl = () => st.peek().false_color ?? vn;
-function yr() {
-  let e = st.peek().false_color;
-  e && (vn = e), vn.against != null && (vn = br), At({ false_color: e ? null : ma(vn) });
+}, bn = yr, _a = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }), hl = () => at.peek().false_color ?? bn;
+function _r() {
+  let e = at.peek().false_color;
+  e && (bn = e), bn.against != null && (bn = yr), It({ false_color: e ? null : _a(bn) });
 }
-function lo(e) {
-  let t = Math.round(((st.peek().ev ?? 0) + e / 3) * 30) / 30;
-  At({ ev: t });
+function fo(e) {
+  let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
+  It({ ev: t });
 }
-function fl() {
-  let e = ne();
+function vl() {
+  let e = oe();
   if (!e) return;
-  let t = io(St);
+  let t = lo(xt);
   Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var pl = () => so({ do: "look", what: "store", name: `Look ${io(Mt) + 1}` });
-async function _r(e) {
+var gl = () => co({ do: "look", what: "store", name: `Look ${lo(St) + 1}` });
+async function wr(e) {
   let t = !1;
   try {
     await navigator.clipboard.writeText(e), t = !0;
@@ -1702,54 +1702,54 @@ async function _r(e) {
   }
   se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
-var Nt = /* @__PURE__ */ new Map(), ao = null;
-function dl(e) {
-  Nt = new Map(e.map((t) => [t.id, t])), ao && oe(ao), ao = null;
+var Ft = /* @__PURE__ */ new Map(), uo = null;
+function bl(e) {
+  Ft = new Map(e.map((t) => [t.id, t])), uo && B(uo), uo = null;
 }
-var ml = () => [...Nt.values()], ha = (e) => Nt.get(e), wr = (e) => Nt.get(e)?.why?.() ?? null;
-function oe(e) {
-  let t = Nt.get(e);
-  Nt.size || (ao = e);
+var yl = () => [...Ft.values()], wa = (e) => Ft.get(e), yn = (e) => Ft.get(e)?.why?.() ?? null;
+function B(e) {
+  let t = Ft.get(e);
+  Ft.size || (uo = e);
   let n = t?.why?.();
   n ? se(n, "warn") : t?.run();
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var hl = /* @__PURE__ */ Symbol.for("pv"), vl = 0;
+var _l = /* @__PURE__ */ Symbol.for("pv"), wl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: hl, __v: --vl, __i: -1, __u: 0 };
-  return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
+  var u = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: _l, __v: --wl, __i: -1, __u: 0 };
+  return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
 }
 
 // src/load.tsx
-var ga = g(null), va = !1, kr = (e) => ga.value?.[e];
-function ee({ part: e }) {
+var xa = g(null), ka = !1, kr = (e) => xa.value?.[e];
+function Z({ part: e }) {
   let t = kr(e);
   return t ? l(t, {}) : null;
 }
-function ba() {
-  T(() => {
-    if (va || !(W.value ?? P.value)) return;
-    va = !0;
+function Sa() {
+  L(() => {
+    if (ka || !(W.value ?? E.value)) return;
+    ka = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ga.value = t);
+      import(e).then((t) => xa.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var uo = 0.3048, ya = {
+var po = 0.3048, Ma = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
   angle: { bare: 1, units: { "°": 1, deg: 1, rad: 180 / Math.PI }, low: -36e3, high: 36e3, say: "an angle such as 30°" },
   length: {
     bare: 1,
-    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: uo, "'": uo, in: uo / 12, '"': uo / 12 },
+    units: { m: 1, cm: 0.01, mm: 1e-3, km: 1e3, ft: po, "'": po, in: po / 12, '"': po / 12 },
     low: -1e6,
     high: 1e6,
     say: `a length such as 2.4 m, 75 cm or 8'2"`
@@ -1759,29 +1759,29 @@ var uo = 0.3048, ya = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, gl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+}, kl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
 function xr(e) {
-  let t = gl.exec(e);
+  let t = kl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function _a(e, t, n) {
+function Ca(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
     let p = xr(o);
     if (!p) return null;
-    let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
-    if (u === void 0) return null;
-    r += a * p.value * u, o = p.rest.slice(c.length).trim(), i = !1;
+    let u = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
+    if (c === void 0) return null;
+    r += a * p.value * c, o = p.rest.slice(u.length).trim(), i = !1;
   }
   return i ? null : r;
 }
-function wa(e, t, n) {
-  let o = ya[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
-    apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
+function Ea(e, t, n) {
+  let o = Ma[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+    apply: (x) => Math.min(o.high, Math.max(o.low, y(x)))
   });
   if (!r) return { why: `Type ${o.say}` };
   let s = r.toLowerCase();
@@ -1790,76 +1790,77 @@ function wa(e, t, n) {
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
     let y = xr(p[1].trim());
-    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
+    return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((x) => x * 2 ** y.value);
   }
-  let c = /^([*/×÷])\s*(.+)$/.exec(r);
-  if (c) {
-    let y = xr(c[2]);
+  let u = /^([*/×÷])\s*(.+)$/.exec(r);
+  if (u) {
+    let y = xr(u[2]);
     if (!y) return i;
-    let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
-    return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
+    let x = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, S = y.value * x;
+    return !Number.isFinite(S) || S === 0 && /[/÷]/.test(u[1]) ? i : a((w) => /[/÷]/.test(u[1]) ? w / S : w * S);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = _a(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = Ca(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = _a(m, { ...ya.flux }, NaN);
+    let y = Ca(m, { ...Ma.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
   let b = f;
   return d ? a((y) => d[1] === "-" ? y - b : y + b) : b < o.low || b > o.high ? { why: `${e.trim()} is out of range: ${o.say}` } : a(() => b);
 }
-function B(e, t = 0) {
+function G(e, t = 0) {
   if (!Number.isFinite(e)) return "–";
   let [n, o] = Math.abs(e).toFixed(t).split("."), r = n.length > 4 ? n.replace(/\B(?=(\d{3})+$)/g, " ") : n;
   return (e < 0 && Number(Math.abs(e).toFixed(t)) !== 0 ? "−" : "") + r + (o ? `.${o}` : "");
 }
-function Xe(e) {
+function Ye(e) {
   let t = Math.abs(e);
-  return B(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
+  return G(e, t >= 99.95 || t === 0 ? 0 : t >= 9.995 ? 1 : t >= 0.9995 ? 2 : 3);
 }
-function Ae(e) {
+function Re(e) {
   let t = e * 100;
-  return B(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
+  return G(t, t >= 9.95 || t === 0 ? 0 : t >= 0.95 ? 1 : 2);
 }
-function gn(e, t) {
+function _n(e, t) {
   switch (t) {
     case "level":
-      return `${Ae(e)} %`;
+      return `${Re(e)} %`;
     case "flux":
-      return `${Xe(e)} lm`;
+      return `${Ye(e)} lm`;
     case "kelvin":
-      return `${B(e)} K`;
+      return `${G(e)} K`;
     case "angle":
-      return `${B(e, 1)}°`;
+      return `${G(e, 1)}°`;
     case "length":
-      return `${B(e, 2)} m`;
+      return `${G(e, 2)} m`;
     case "lux":
-      return `${Xe(e)} lx`;
+      return `${Ye(e)} lx`;
     case "seconds":
-      return `${B(e, 1)} s`;
+      return `${G(e, 1)} s`;
     case "ev":
-      return B(e, 1);
+      return G(e, 1);
     case "share":
-      return B(e, 2);
+      return G(e, 2);
     case "number":
       return String(Math.round(e * 1e4) / 1e4);
   }
 }
-var Sr = (e) => (e > 0 ? "+" : "") + Ye(e);
-function Ye(e, t = !0) {
-  let n = Vt.value === "fc", o = n ? e / 10.7639 : e;
-  return Xe(o) + (t ? n ? " fc" : " lx" : "");
+var Sr = (e) => (e > 0 ? "+" : "") + Mr(e);
+function Mr(e, t = !0) {
+  let n = Lt.value === "fc", o = n ? e / 10.7639 : e;
+  return Ye(o) + (t ? n ? " fc" : " lx" : "");
 }
+var pt = (e, t = !0) => Mr(e * fn.value, t);
 
 // src/field.tsx
-function bn(e) {
-  let t = ot(null), n = ot(null), o = te(null), r = te(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : gn(e.value, e.quantity));
+function wn(e) {
+  let t = nt(null), n = nt(null), o = ne(null), r = ne(null), i = t.value ?? e.text ?? (e.value === null ? "mixed" : _n(e.value, e.quantity));
   Ce(() => {
     !e.open || !o.current || (t.value = e.open, o.current.focus(), o.current.setSelectionRange(e.open.length, e.open.length), e.opened?.());
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = wa(t.value, e.quantity, e.flux);
+    let d = Ea(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1877,10 +1878,10 @@ function bn(e) {
     }
   }, p = (d) => {
     !e.scrub || e.disabled || d.button !== 0 || document.activeElement === o.current || (r.current = { x: d.clientX, last: d.clientX, moved: !1 }, o.current?.setPointerCapture(d.pointerId), d.preventDefault());
-  }, c = (d) => {
+  }, u = (d) => {
     let m = r.current;
     !m || !e.scrub || !m.moved && Math.abs(d.clientX - m.x) < 4 || (m.moved || e.scrub.begin(), m.moved = !0, e.scrub.on((d.clientX - m.last) * (e.step ?? 1) * (d.shiftKey ? 0.1 : d.altKey ? 10 : 1)), m.last = d.clientX);
-  }, u = (d) => {
+  }, c = (d) => {
     let m = r.current;
     r.current = null, m && (m.moved ? d.type === "pointercancel" ? e.scrub?.cancel() : e.scrub?.end() : (o.current?.focus(), o.current?.select()));
   };
@@ -1910,9 +1911,9 @@ function bn(e) {
         },
         onKeyDown: s,
         onPointerDown: p,
-        onPointerMove: c,
-        onPointerUp: u,
-        onPointerCancel: u
+        onPointerMove: u,
+        onPointerUp: c,
+        onPointerCancel: c
       }
     ),
     n.value && l("span", { class: "why", role: "alert", id: `${e.id ?? e.label}-why`.replace(/\s/g, "-"), children: n.value })
@@ -1920,23 +1921,23 @@ function bn(e) {
 }
 
 // src/icon.tsx
-function G({ name: e }) {
+function z({ name: e }) {
   return l("svg", { class: "sign", "aria-hidden": "true", width: "16", height: "16", children: l("use", { href: `icons.svg#${e}` }) });
 }
 
 // src/menu.tsx
-function qt({ id: e, label: t, title: n, children: o }) {
+function Nt({ id: e, label: t, title: n, children: o }) {
   let r = (a) => {
     let s = document.getElementById(e), p = a.getBoundingClientRect();
     s?.style.setProperty("left", `${Math.max(8, Math.min(p.left, innerWidth - 296))}px`), s?.style.setProperty("top", `${p.bottom + 4}px`);
   };
-  return l(X, { children: [
+  return l(Y, { children: [
     l("button", { ...{ popovertarget: e }, title: n, "aria-label": n, "aria-haspopup": "true", onPointerDown: (a) => r(a.currentTarget), onFocus: (a) => r(a.currentTarget), children: t }),
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function Mr({ id: e, label: t }) {
-  let n = wr(e), o = ha(e);
+function Cr({ id: e, label: t }) {
+  let n = yn(e), o = wa(e);
   return l(
     "button",
     {
@@ -1944,7 +1945,7 @@ function Mr({ id: e, label: t }) {
       "aria-disabled": n !== null,
       title: n ?? void 0,
       onClick: (r) => {
-        r.currentTarget.closest("[popover]")?.hidePopover(), oe(e);
+        r.currentTarget.closest("[popover]")?.hidePopover(), B(e);
       },
       children: [
         l("span", { children: t ?? o?.label }),
@@ -1955,62 +1956,62 @@ function Mr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var ka = {
+var Ta = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function xa() {
-  let e = st.value, t = it.value.undo, n = it.value.redo, o = at.value, r = e.metered;
+function Pa() {
+  let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
-    l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
-    l("h1", { title: o.file || Z.value?.file, children: [
-      Z.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ka[o.state], title: `${ka[o.state]}${o.file ? `: ${o.file}` : ""}` })
+    l(Nt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(Z, { part: "PageItems" }) }),
+    l("h1", { title: o.file || te.value?.file, children: [
+      te.value?.name ?? "Lampyris",
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": Ta[o.state], title: `${Ta[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
-      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
-      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => oe("redo"), children: l(G, { name: "redo" }) })
+      l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => B("undo"), children: l(z, { name: "undo" }) }),
+      l("button", { class: "icon", "aria-label": n ? `Redo: ${n}` : "Redo", title: n ? `Redo: ${n} (Ctrl+Shift+Z)` : "Nothing to redo", "aria-disabled": n === null, onClick: () => B("redo"), children: l(z, { name: "redo" }) })
     ] }),
-    l(qt, { id: "view-menu", label: l(X, { children: [
+    l(Nt, { id: "view-menu", label: l(Y, { children: [
       "View ",
-      l(G, { name: "down" })
-    ] }), title: "View", children: l(ee, { part: "ViewItems" }) }),
+      l(z, { name: "down" })
+    ] }), title: "View", children: l(Z, { part: "ViewItems" }) }),
     l("span", { class: "group wide", children: [
-      l("button", { "aria-pressed": !1, onClick: () => oe("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
-      l("button", { onClick: () => oe("inside"), title: "Inside (Shift+0)", children: "Inside" })
+      l("button", { "aria-pressed": !1, onClick: () => B("preset-plan"), title: "Plan (Shift+1)", children: "Plan" }),
+      l("button", { onClick: () => B("inside"), title: "Inside (Shift+0)", children: "Inside" })
     ] }),
     l("span", { class: "gap" }),
-    l(qt, { id: "seeing-menu", label: l(X, { children: [
+    l(Nt, { id: "seeing-menu", label: l(Y, { children: [
       "Picture ",
-      l(G, { name: "down" })
-    ] }), title: "Picture: tone, white, figures", children: l(ee, { part: "SeeingItems" }) }),
-    l("button", { "aria-pressed": e.false_color !== null, onClick: yr, title: "False colour (B)", children: "False colour" }),
-    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": pn.value === null, onClick: () => oe("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
+      l(z, { name: "down" })
+    ] }), title: "Picture: tone, white, figures", children: l(Z, { part: "SeeingItems" }) }),
+    l("button", { "aria-pressed": e.false_color !== null, onClick: _r, title: "False colour (B)", children: "False colour" }),
+    l("button", { "aria-pressed": de.value === "wipe", "aria-disabled": dn.value === null, onClick: () => B("wipe"), title: "Wipe between before and now (C); hold \\ to see before", children: "Compare" }),
     l("span", { class: "group exposure", role: "group", "aria-label": "Exposure", children: [
-      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => lo(1), children: l(G, { name: "minus" }) }),
+      l("button", { class: "icon", "aria-label": "Darker", title: "Darker by ⅓ (,)", onClick: () => fo(1), children: l(z, { name: "minus" }) }),
       l("label", { children: [
         l("span", { "aria-hidden": "true", children: "EV" }),
-        l(bn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => At({ ev: i(e.ev ?? 0) }) })
+        l(wn, { label: "Exposure value", quantity: "ev", value: e.ev ?? 0, step: 1 / 3, set: (i) => It({ ev: i(e.ev ?? 0) }) })
       ] }),
-      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => lo(-1), children: l(G, { name: "plus" }) }),
-      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => H({ do: "expose" }), children: l(G, { name: r ? "lock" : "meter" }) })
+      l("button", { class: "icon", "aria-label": "Brighter", title: "Brighter by ⅓ (.)", onClick: () => fo(-1), children: l(z, { name: "plus" }) }),
+      l("button", { class: "icon", "aria-label": "Meter once", title: `${r ? "As metered" : "Meter once"} (/); it stays locked`, onClick: () => K({ do: "expose" }), children: l(z, { name: r ? "lock" : "meter" }) })
     ] }),
     l(
       "button",
       {
         class: "icon look-lock",
-        "aria-pressed": ye.value,
+        "aria-pressed": we.value,
         "aria-label": "Look-only lock",
         title: "Look-only lock: no finger changes anything",
-        onClick: () => ye.value = !ye.value,
-        children: l(G, { name: ye.value ? "lock" : "unlock" })
+        onClick: () => we.value = !we.value,
+        children: l(z, { name: we.value ? "lock" : "unlock" })
       }
     ),
-    pe.value === "edit" && l("button", { class: "wide", onClick: () => dt.value = "share", children: "Share" }),
-    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => dt.value = "help", children: l(G, { name: "help" }) }),
-    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => dt.value = "palette", children: l(G, { name: "search" }) }),
+    pe.value === "edit" && l("button", { class: "wide", onClick: () => ft.value = "share", children: "Share" }),
+    l("button", { class: "icon", "aria-label": "All keys", title: "All keys (?)", onClick: () => ft.value = "help", children: l(z, { name: "help" }) }),
+    l("button", { class: "icon", "aria-label": "Command palette", title: "Command palette (Ctrl+K)", onClick: () => ft.value = "palette", children: l(z, { name: "search" }) }),
     l(
       "button",
       {
@@ -2018,91 +2019,64 @@ function xa() {
         "aria-label": Ie.value === "inspector" ? "Lamps" : "Inspector",
         title: Ie.value === "inspector" ? "Lamps" : "Inspector",
         onClick: () => Ie.value = Ie.value === "inspector" ? "lamps" : "inspector",
-        children: l(G, { name: Ie.value === "inspector" ? "lamps" : "sliders" })
+        children: l(z, { name: Ie.value === "inspector" ? "lamps" : "sliders" })
       }
     )
   ] });
 }
 
 // src/highlight.ts
-function co(e) {
-  ke.value = e, H({ do: "solo", lamps: e });
+function mo(e) {
+  _e.value = e, K({ do: "solo", lamps: e });
 }
-function Cr(e) {
-  let t = ke.peek(), n = e.every((o) => t.includes(o));
-  co(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
+function Er(e) {
+  let t = _e.peek(), n = e.every((o) => t.includes(o));
+  mo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var bl = () => Cr(le.peek()), Er = () => co([]), yn = null;
-function fo(e) {
-  e && yn === null && le.peek().length ? (yn = ke.peek(), co(le.peek())) : !e && yn !== null && (co(yn), yn = null);
+var xl = () => Er(le.peek()), Tr = () => mo([]), kn = null;
+function ho(e) {
+  e && kn === null && le.peek().length ? (kn = _e.peek(), mo(le.peek())) : !e && kn !== null && (mo(kn), kn = null);
 }
 
 // src/lights.ts
-var Qe = g(null), Tr = () => {
-}, Ma = () => {
+var xn = g(null), vo = (e, t, n) => {
+  xn.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 };
+}, Pr = () => {
+  xn.value = null;
 };
-function po(e, t, n) {
-  mo(), Qe.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, Sa(n);
-  let o = !0, r = 0;
-  Ma = T(() => {
-    for (let [, i] of M.all()) lt(i);
-    if (o) {
-      o = !1;
-      return;
-    }
-    clearTimeout(r), r = window.setTimeout(() => {
-      let i = ie(() => Qe.value);
-      i && Sa(i.hit);
-    }, 250);
-  });
-}
-function Sa(e) {
-  Tr(), Tr = Se("light", { point: e.point, normal: e.normal }, (t) => {
-    let n = Qe.peek();
-    n && (Qe.value = {
-      ...n,
-      lux: t.lux ?? n.lux,
-      lamps: t.lamps ?? n.lamps,
-      done: t.done !== !1
-    });
-  });
-}
-function mo() {
-  Tr(), Ma(), Qe.value = null;
-}
 
 // src/keys.ts
-var Va = g("W A S D"), Pr = {
+var Ka = g("W A S D"), $r = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, yl = 1.8, Ut = /* @__PURE__ */ new Set(), ho = !1, vo = 1, $r = !1, Lr = 0;
-function Ia(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Lr) / 1e3));
-  if (Lr = e, !Ut.size) {
-    $r = !1;
+}, Sl = 1.8, qt = /* @__PURE__ */ new Set(), go = !1, bo = 1, Lr = !1, Vr = 0;
+function Oa(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
+  if (Vr = e, !qt.size) {
+    Lr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
-  for (let s of Ut) {
-    let [p, c, u] = Pr[s];
-    n += p, o += c, r += u;
+  for (let s of qt) {
+    let [p, u, c] = $r[s];
+    n += p, o += u, r += c;
   }
-  let i = Math.max(1, He(...Ot()) / 12), a = yl * t * vo * Math.min(i, 6);
-  (n || o || r) && fa(n * a, o * a, r * a), requestAnimationFrame(Ia);
+  let i = Math.max(1, He(...At()) / 12), a = Sl * t * bo * Math.min(i, 6);
+  (n || o || r) && ga(n * a, o * a, r * a), requestAnimationFrame(Oa);
 }
-function _n(e) {
-  Ut.add(e), !$r && ($r = !0, Lr = performance.now(), requestAnimationFrame(Ia));
+function Sn(e) {
+  qt.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame(Oa));
 }
-var _l = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Ca() {
+var $a = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function La() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var wl = {
+var Ml = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2122,7 +2096,7 @@ var wl = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ea = {
+}, Va = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2130,7 +2104,7 @@ var wl = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ta = { Comma: "darker", Period: "brighter", Slash: "expose" }, Pa = {
+}, Ia = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ra = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2139,108 +2113,112 @@ var wl = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function kl(e) {
+function Cl(e) {
   let t = e.key.toLowerCase();
-  return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
+  return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "g" ? e.shiftKey ? "ungroup" : "group" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function xl() {
-  z.peek() ? z.value = null : Qe.peek() ? mo() : de.peek() ? de.value = null : P.peek() ? eo() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function El() {
+  X.peek() ? X.value = null : xn.peek() ? Pr() : de.peek() ? de.value = null : E.peek() ? ro() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function $a(e) {
+function Aa(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
-  return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? ro(Dt(), -t * 0.05, n * 0.05) : oo(-t * 0.06, n * 0.06), !0);
+  return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Dt(-t * 24, n * 24, 3) : e.shiftKey ? so(Ot(), -t * 0.05, n * 0.05) : ao(-t * 0.06, n * 0.06), !0);
 }
-function La(e) {
-  let t = ne(), n = pt();
-  !t || !n || (t.height ? Q(Nn(t, n, n.width / 2, n.height / 2, e)) : Q(Fn(t, t.target, e, 0.3, !0)));
+function Ha(e) {
+  let t = oe(), n = ct();
+  !t || !n || (t.height ? J(Bn(t, n, n.width / 2, n.height / 2, e)) : J(Wn(t, t.target, e, 0.3, !0)));
 }
-function Sl(e) {
+var Da = () => !1, Tl = (e) => {
+  Da = e;
+};
+function Pl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
+  if (!$a(e.target) && Da(e)) return e.preventDefault();
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return xl();
-  if (_l(e.target)) {
-    t && e.key.toLowerCase() === "k" && De(e, "palette");
+  if (e.key === "Escape") return El();
+  if ($a(e.target)) {
+    t && e.key.toLowerCase() === "k" && Fe(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (Ca() && $a(e)) return e.preventDefault();
-    let i = kl(e);
-    i && De(e, i);
+    if (La() && Aa(e)) return e.preventDefault();
+    let i = Cl(e);
+    i && Fe(e, i);
     return;
   }
   if (e.altKey) {
     let i = /^Digit(\d)$/.exec(e.code)?.[1];
-    if (e.key === "ArrowLeft") return De(e, "back");
-    if (e.key === "ArrowRight") return De(e, "forth");
-    if (i === "0") return De(e, "store-view");
+    if (e.key === "ArrowLeft") return Fe(e, "back");
+    if (e.key === "ArrowRight") return Fe(e, "forth");
+    if (i === "0") return Fe(e, "store-view");
     if (i) {
       e.preventDefault();
-      let a = St.all()[Number(i) - 1];
-      a && Q(a[1], a[1].name ?? "view");
+      let a = xt.all()[Number(i) - 1];
+      a && J(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Pr)) return;
+    if (e.code === "KeyH" && Fe(e, "unhide"), !(e.code in $r)) return;
   }
-  let n = Ca();
-  if (n && $a(e)) return e.preventDefault();
-  if (n && e.code in Pr)
-    return vo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, _n(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return La(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return La(1 / 0.85);
-  if (!tr.peek()) return;
-  if (e.shiftKey && Pa[e.code]) return De(e, Pa[e.code]);
-  if (ho && /^\d$/.test(e.key)) {
-    e.preventDefault(), ho = !1;
-    let i = Mt.ids.peek()[Number(e.key) - 1];
-    i !== void 0 && so({ do: "look", id: i, what: "recall", seconds: or.peek() });
+  let n = La();
+  if (n && Aa(e)) return e.preventDefault();
+  if (n && e.code in $r)
+    return bo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, Sn(e.code), e.preventDefault();
+  if (n && (e.key === "+" || e.key === "=")) return Ha(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Ha(1 / 0.85);
+  if (!or.peek()) return;
+  if (e.shiftKey && Ra[e.code]) return Fe(e, Ra[e.code]);
+  if (go && /^\d$/.test(e.key)) {
+    e.preventDefault(), go = !1;
+    let i = St.ids.peek()[Number(e.key) - 1];
+    i !== void 0 && co({ do: "look", id: i, what: "recall", seconds: ir.peek() });
     return;
   }
-  if (ho = e.key.toLowerCase() === "j", ho) return se("Recall a look: now its digit.");
+  if (go = e.key.toLowerCase() === "j", go) return se("Recall a look: now its digit.");
   if (!e.shiftKey && /^\d$/.test(e.key) && le.peek().length) {
-    e.preventDefault(), gr.value = e.key;
+    e.preventDefault(), br.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ta[e.code]) return De(e, Ta[e.code]);
-  if (e.key === "\\") return void (e.repeat || dn(!0));
+  if (!e.shiftKey && e.key !== "?" && Ia[e.code]) return Fe(e, Ia[e.code]);
+  if (e.key === "\\") return void (e.repeat || mn(!0));
   let o = e.key.toLowerCase();
-  if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return Ml();
-  let r = e.shiftKey && Ea[o] ? Ea[o] : wl[o];
-  r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
+  if (o === "l" && !e.shiftKey) return void (e.repeat || B("highlight"));
+  if (o === "p" && e.shiftKey) return $l();
+  let r = e.shiftKey && Va[o] ? Va[o] : Ml[o];
+  r && !(e.target instanceof HTMLButtonElement && o === "enter") && Fe(e, r);
 }
-function Ml() {
-  let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
-  n && Se("point", n, (o) => o.hit && po(e / 2, t / 2, o));
+function $l() {
+  let [e, t] = ke.peek(), n = Kt(e / 2, t / 2);
+  n && De("point", n, (o) => o.hit && vo(e / 2, t / 2, o));
 }
-function De(e, t) {
-  e.preventDefault(), oe(t);
+function Fe(e, t) {
+  e.preventDefault(), B(t);
 }
-function Cl(e) {
-  Ut.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && fo(!1), e.key === "Shift" && (vo = 1);
+function Ll(e) {
+  qt.delete(e.code), e.key === "\\" && mn(!1), e.key.toLowerCase() === "l" && ho(!1), e.key === "Shift" && (bo = 1);
 }
-function Aa() {
-  addEventListener("keydown", Sl), addEventListener("keyup", Cl), addEventListener("blur", () => {
-    Ut.clear(), fo(!1), dn(!1);
+function Fa() {
+  addEventListener("keydown", Pl), addEventListener("keyup", Ll), addEventListener("blur", () => {
+    qt.clear(), ho(!1), mn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Va.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Ka.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function El(e, t) {
-  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) Ut.delete(n);
-  vo = Math.min(1, Math.hypot(e, t)), e > 0.2 && _n("KeyW"), e < -0.2 && _n("KeyS"), t < -0.2 && _n("KeyA"), t > 0.2 && _n("KeyD");
+function Vl(e, t) {
+  for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) qt.delete(n);
+  bo = Math.min(1, Math.hypot(e, t)), e > 0.2 && Sn("KeyW"), e < -0.2 && Sn("KeyS"), t < -0.2 && Sn("KeyA"), t > 0.2 && Sn("KeyD");
 }
 
 // src/levels.ts
-var Vr = (e) => Math.min(1, Qn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ir = (e) => {
-  let t = Qn.peek() === "square" ? e * e : e;
+var Ir = (e) => Math.min(1, no.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Rr = (e) => {
+  let t = no.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Tl = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, go = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+}, Il = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.level ?? 0, yo = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.name ?? "";
 function Ar(e) {
   let t = le.peek();
-  return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
+  return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ra(e, t, n) {
+function Na(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2249,10 +2227,10 @@ function Ra(e, t, n) {
   }
   return { lamps: r };
 }
-var wn = class {
+var Mn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Tl(t), this.from = t.kind === "lamp" ? new Map(Ar(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${go(t)} level`);
+    this.was = this.now = Il(t), this.from = t.kind === "lamp" ? new Map(Ar(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${yo(t)} level`);
   }
   strip;
   gesture;
@@ -2260,80 +2238,133 @@ var wn = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ra(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Na(this.strip, t, this.from));
   }
   end() {
-    let t = this.from.size > 1 ? to([...this.from.keys()]) : go(this.strip);
-    this.gesture.end(`${t} ${Ae(this.was)} → ${Ae(this.now)} %`);
+    let t = this.from.size > 1 ? io([...this.from.keys()]) : yo(this.strip);
+    this.gesture.end(`${t} ${Re(this.was)} → ${Re(this.now)} %`);
   }
   cancel() {
     this.gesture.cancel();
   }
 };
-function bo(e, t) {
-  let n = new Map(Ar(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  ir(`level ${e.kind} ${e.id}`, `${go(e)} level`, Ra(e, t, n));
-}
-function Rr(e, t) {
-  if (!e.length) return;
-  let n = Object.fromEntries(e.map((r) => {
-    let i = M.get(r);
-    return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
-  })), o = e.length === 1 ? ` ${Ae(M.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
-  Le(`${to(e)}${o}`, { lamps: n });
-}
-function Or(e, t) {
-  let n = t(D.get(e)?.level ?? 0);
-  Le(`${D.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
+function _o(e, t) {
+  let n = new Map(Ar(e).map((o) => [o, k.get(o)?.level ?? 0]));
+  sr(`level ${e.kind} ${e.id}`, `${yo(e)} level`, Na(e, t, n));
 }
 function Hr(e, t) {
-  let n = `${go(e)} ${t ? "on" : "off"}`;
+  if (!e.length) return;
+  let n = Object.fromEntries(e.map((r) => {
+    let i = k.get(r);
+    return [r, { level: t(i?.level ?? 0, i?.flux ?? 1) }];
+  })), o = e.length === 1 ? ` ${Re(k.get(e[0])?.level ?? 0)} → ${Re(n[e[0]].level)} %` : " level";
+  Le(`${io(e)}${o}`, { lamps: n });
+}
+function Kr(e, t) {
+  let n = t(D.get(e)?.level ?? 0);
+  Le(`${D.get(e)?.name ?? "Group"} ${Re(n)} %`, { groups: { [e]: { level: n } } });
+}
+function Or(e, t) {
+  let n = `${yo(e)} ${t ? "on" : "off"}`;
   e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Ar(e).map((o) => [o, { on: t }])) });
 }
 
+// src/row.tsx
+function Dr(e) {
+  let t = e.color;
+  return t.mode === "kelvin" ? `${G(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
+}
+var wo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Fr(e, t, n) {
+  let { kind: o, id: r } = e, i = o === "lamp" ? k.get(r) : void 0, a = o === "group" ? D.get(r) : void 0, s = i ?? a;
+  if (!s) return null;
+  let p = a?.lamps ?? [r], u = E.value?.kind === o && E.value.ids.includes(r), c = _e.value.length > 0 && !p.some((m) => _e.value.includes(m)), d = me.value?.kind === o && me.value.id === r;
+  return {
+    row: e,
+    lamp: i,
+    group: a,
+    entry: s,
+    members: p,
+    selected: u,
+    flux: p.reduce((m, f) => m + (k.get(f)?.flux ?? 0) * (a ? k.get(f)?.level ?? 0 : 1), 0),
+    lumens: Go(p),
+    stop: u ? 0 : -1,
+    frame: {
+      role: "listitem",
+      "aria-setsize": n,
+      "aria-posinset": t + 1,
+      "data-row": `${o}-${r}`,
+      onPointerEnter: () => me.value = { kind: o, id: r },
+      onPointerLeave: () => me.value = null
+    },
+    state: `depth-${e.depth} ${o} ${u ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${c ? "muted" : ""} ${d ? "under" : ""}`
+  };
+}
+function Nr({ of: { row: e, entry: t, stop: n } }) {
+  let o = Ge.value;
+  return l("button", { class: "icon power", tabIndex: n, "aria-pressed": t.on, disabled: o !== null, "aria-label": `${t.name} on`, title: o ?? (t.on ? "On (O)" : "Off (O)"), onClick: () => Or(e, !t.on), children: l(z, { name: "power" }) });
+}
+function qr({ of: { row: e, entry: t, lamp: n, flux: o, selected: r }, label: i, tabIndex: a }) {
+  let s = () => r && le.peek().length > 1 ? le.peek() : [e.id];
+  return l(
+    wn,
+    {
+      label: `${t.name} ${i}`,
+      quantity: "level",
+      value: t.level,
+      flux: o,
+      step: 0.01,
+      disabled: Ge.value !== null,
+      why: Ge.value,
+      tabIndex: a,
+      set: (p) => n ? Hr(s(), p) : Kr(e.id, p)
+    }
+  );
+}
+
 // src/swatch.ts
-var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, $l = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Ll = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
-function Kr(e) {
+var Rl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Al = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Hl = (e) => Math.round(255 * Rl(Math.max(0, Math.min(1, e))));
+function Ur(e) {
   let t = Math.max(...e, 1e-6);
-  return Oa(e.map((n) => n / t));
+  return qa(e.map((n) => n / t));
 }
-function Oa(e) {
-  return `#${e.map((t) => Ll(t).toString(16).padStart(2, "0")).join("")}`;
+function qa(e) {
+  return `#${e.map((t) => Hl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Vl(e) {
-  let t = (n) => $l(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Kl(e) {
+  let t = (n) => Al(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Il = (e) => 1e6 / e;
+var Ol = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ha = -1e9;
-addEventListener("scroll", () => Ha = performance.now(), { capture: !0, passive: !0 });
-var jt = (e) => Math.max(0, Math.min(1, e));
-function Dr(e) {
-  let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
-    if (c.button !== 0 || e.disabled) return;
-    let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
-    n.current = { id: c.pointerId, x: c.clientX, y: c.clientY, at: m ? jt(d) : e.value }, t.current?.setPointerCapture(c.pointerId), t.current?.focus(), e.begin?.(), m && e.on(jt(d));
-  }, i = (c) => {
-    let u = n.current;
-    if (!u || u.id !== c.pointerId) return;
-    let d = c.currentTarget.getBoundingClientRect(), m = e.vertical ? (u.y - c.clientY) / (d.height - 16) : (c.clientX - u.x) / (d.width - 12);
-    u.x = c.clientX, u.y = c.clientY, u.at += m * (c.shiftKey ? 0.1 : 1), e.on(jt(u.at));
-  }, a = (c) => {
-    n.current?.id === c.pointerId && (n.current = null, c.type === "pointercancel" ? e.cancel?.() : e.end?.());
-  }, s = (c) => {
-    if (c.key === "Escape" && n.current) {
-      n.current = null, e.cancel?.(), c.stopPropagation();
+var Ua = -1e9;
+addEventListener("scroll", () => Ua = performance.now(), { capture: !0, passive: !0 });
+var Ut = (e) => Math.max(0, Math.min(1, e));
+function jr(e) {
+  let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (u) => {
+    if (u.button !== 0 || e.disabled) return;
+    let c = u.currentTarget.getBoundingClientRect(), d = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
+    n.current = { id: u.pointerId, x: u.clientX, y: u.clientY, at: m ? Ut(d) : e.value }, t.current?.setPointerCapture(u.pointerId), t.current?.focus(), e.begin?.(), m && e.on(Ut(d));
+  }, i = (u) => {
+    let c = n.current;
+    if (!c || c.id !== u.pointerId) return;
+    let d = u.currentTarget.getBoundingClientRect(), m = e.vertical ? (c.y - u.clientY) / (d.height - 16) : (u.clientX - c.x) / (d.width - 12);
+    c.x = u.clientX, c.y = u.clientY, c.at += m * (u.shiftKey ? 0.1 : 1), e.on(Ut(c.at));
+  }, a = (u) => {
+    n.current?.id === u.pointerId && (n.current = null, u.type === "pointercancel" ? e.cancel?.() : e.end?.());
+  }, s = (u) => {
+    if (u.key === "Escape" && n.current) {
+      n.current = null, e.cancel?.(), u.stopPropagation();
       return;
     }
-    let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
-    u && (d = jt(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
-  }, p = (c) => {
-    if (performance.now() - Ha < 400 || c.ctrlKey) return;
-    c.preventDefault();
-    let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
-    u && e.on(jt(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
+    let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], d = null;
+    c && (d = Ut(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (d = 0), u.key === "End" && (d = 1), !(d === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(d));
+  }, p = (u) => {
+    if (performance.now() - Ua < 400 || u.ctrlKey) return;
+    u.preventDefault();
+    let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
+    c && e.on(Ut(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
   };
   return l(
     "input",
@@ -2349,113 +2380,79 @@ function Dr(e) {
       disabled: e.disabled,
       "aria-label": e.label,
       "aria-valuetext": e.text,
-      style: { "--t": jt(e.value), "--gradient": e.gradient ?? "" },
+      style: { "--t": Ut(e.value), "--gradient": e.gradient ?? "" },
       onPointerDown: r,
       onPointerMove: i,
       onPointerUp: a,
       onPointerCancel: a,
-      onMouseDown: (c) => c.preventDefault(),
-      onTouchStart: (c) => c.cancelable && c.preventDefault(),
+      onMouseDown: (u) => u.preventDefault(),
+      onTouchStart: (u) => u.cancelable && u.preventDefault(),
       onKeyDown: s,
       onWheel: p,
       onDblClick: () => e.reset?.(),
-      onInput: (c) => {
-        n.current ? c.currentTarget.value = String(e.value) : e.on(Number(c.currentTarget.value));
+      onInput: (u) => {
+        n.current ? u.currentTarget.value = String(e.value) : e.on(Number(u.currentTarget.value));
       }
     }
   );
 }
 
 // src/faderrow.tsx
-function Ka(e) {
-  let t = e.color;
-  return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
-}
-var Fr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Da({ row: e, index: t, count: n }) {
-  let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
-  if (!s) return null;
-  let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Wo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Jn.value, x = d ? 0 : -1, k = {
-    begin: () => o.current = new wn(r),
-    end: () => {
-      o.current?.end(), o.current = null;
-    },
-    cancel: () => {
-      o.current?.cancel(), o.current = null;
-    }
+function ja({ row: e, index: t, count: n }) {
+  let o = ne(null), r = Fr(e, t, n);
+  if (!r) return null;
+  let { lamp: i, group: a, entry: s, members: p, lumens: u } = r, c = p.length > 0 && p.every((m) => _e.value.includes(m)), d = (m) => () => {
+    o.current?.[m](), o.current = null;
   };
-  return l(
-    "div",
-    {
-      class: `fader-row depth-${e.depth} ${e.kind} ${y}`,
-      role: "listitem",
-      "aria-setsize": n,
-      "aria-posinset": t + 1,
-      "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => me.value = null,
-      children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Hr(r, !s.on), children: l(G, { name: "power" }) }),
-        l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Fa(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Fr(i)}` : s.name, onClick: (_) => Nr(_, e.kind, e.id), children: [
-            l("span", { children: s.name }),
-            a && l("small", { children: p.length }),
-            i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Fr(i), children: [
-              "↻",
-              l("span", { class: "spoken", children: "re-trace" })
-            ] })
-          ] }),
-          i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Kr(i.swatch) } }),
-            Ka(i)
-          ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Cr(p), children: l(G, { name: "solo" }) })
-        ] }),
-        l("div", { class: "bottom", children: [
-          l(
-            Dr,
-            {
-              label: `${s.name} level`,
-              class: "level",
-              value: Vr(s.level),
-              text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
-              notch: 0.01,
-              disabled: w !== null,
-              on: (_) => {
-                let C = Ir(_);
-                o.current ? o.current.to(C) : bo(r, C);
-              },
-              reset: () => bo(r, 1),
-              ...k
-            }
-          ),
-          l(
-            bn,
-            {
-              label: `${s.name} level, typed`,
-              quantity: "level",
-              value: s.level,
-              flux: c,
-              step: 0.01,
-              disabled: w !== null,
-              why: w,
-              tabIndex: x,
-              set: (_) => i ? Rr(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Or(e.id, _)
-            }
-          ),
-          l("span", { class: "lumens", children: gn(u, "flux") })
+  return l("div", { class: `fader-row ${r.state}`, ...r.frame, children: [
+    l(Nr, { of: r }),
+    l("div", { class: "top", children: [
+      a && l("button", { class: "icon fold", "aria-expanded": !dt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Wa(e.id), children: l(z, { name: dt.value.has(e.id) ? "right" : "down" }) }),
+      l("button", { class: "row-name", "aria-pressed": r.selected, title: i ? `${i.name}: ${wo(i)}` : s.name, onClick: (m) => Wr(m, e.kind, e.id), children: [
+        l("span", { children: s.name }),
+        a && l("small", { children: p.length }),
+        i?.parked && l("small", { children: "parked" }),
+        i && !i.free && l("small", { class: "traced", title: wo(i), children: [
+          "↻",
+          l("span", { class: "spoken", children: "re-trace" })
         ] })
-      ]
-    }
-  );
+      ] }),
+      i && l("span", { class: "tint", children: [
+        l("i", { class: "swatch", style: { background: Ur(i.swatch) } }),
+        Dr(i)
+      ] }),
+      l("button", { class: "icon solo", tabIndex: r.stop, "aria-pressed": c, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Er(p), children: l(z, { name: "solo" }) })
+    ] }),
+    l("div", { class: "bottom", children: [
+      l(
+        jr,
+        {
+          label: `${s.name} level`,
+          class: "level",
+          value: Ir(s.level),
+          text: `${Re(s.level)} %, ${Ye(u)} lumen`,
+          notch: 0.01,
+          disabled: Ge.value !== null,
+          on: (m) => {
+            let f = Rr(m);
+            o.current ? o.current.to(f) : _o(e, f);
+          },
+          reset: () => _o(e, 1),
+          begin: () => o.current = new Mn(e),
+          end: d("end"),
+          cancel: d("cancel")
+        }
+      ),
+      l(qr, { of: r, label: "level, typed", tabIndex: r.stop }),
+      l("span", { class: "lumens", children: _n(u, "flux") })
+    ] })
+  ] });
 }
 
 // src/virtual.tsx
-var Na = 4;
-function qr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
-  let a = te(null), s = ot(0), p = ot(600);
+var Ba = 4;
+function Br({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+  let a = ne(null), s = nt(0), p = nt(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
     return m.observe(d), () => m.disconnect();
@@ -2465,62 +2462,62 @@ function qr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Na), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Na);
-  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
+  let u = Math.max(0, Math.floor(s.value / t) - Ba), c = Math.min(e, Math.ceil((s.value + p.value) / t) + Ba);
+  return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (d, m) => n(u + m)) }) }) });
 }
 
 // src/lamps.tsx
-var yo = g(""), mt = g(/* @__PURE__ */ new Set()), _o = g("group"), Ua = N(() => {
-  let e = yo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
-  if (_o.value !== "group" && Lt.value === "sheet") {
-    let s = _o.value, p = [...r];
-    return p.sort(([, c], [, u]) => s === "name" ? c.name.localeCompare(u.name, "en", { numeric: !0 }) : u[s] - c[s]), p.map(([c]) => ({ kind: "lamp", id: c, depth: 0 }));
+var ko = g(""), dt = g(/* @__PURE__ */ new Set()), xo = g("group"), za = N(() => {
+  let e = ko.value.trim().toLowerCase(), t = k.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
+  if (xo.value !== "group" && $t.value === "sheet") {
+    let s = xo.value, p = [...r];
+    return p.sort(([, u], [, c]) => s === "name" ? u.name.localeCompare(c.name, "en", { numeric: !0 }) : c[s] - u[s]), p.map(([u]) => ({ kind: "lamp", id: u, depth: 0 }));
   }
   let i = [], a = /* @__PURE__ */ new Set();
   for (let [s, p] of n) {
-    p.lamps.forEach((u) => a.add(u));
-    let c = p.lamps.filter((u) => r.has(u));
-    if (c.length) {
+    p.lamps.forEach((c) => a.add(c));
+    let u = p.lamps.filter((c) => r.has(c));
+    if (u.length) {
       if (p.lamps.length === 1) {
-        i.push({ kind: "lamp", id: c[0], depth: 0 });
+        i.push({ kind: "lamp", id: u[0], depth: 0 });
         continue;
       }
-      i.push({ kind: "group", id: s, depth: 0 }), (!mt.value.has(s) || e) && c.forEach((u) => i.push({ kind: "lamp", id: u, depth: 1 }));
+      i.push({ kind: "group", id: s, depth: 0 }), (!dt.value.has(s) || e) && u.forEach((c) => i.push({ kind: "lamp", id: c, depth: 1 }));
     }
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), qa = !1;
+}), Ga = !1;
 D.ids.subscribe((e) => {
-  qa || !e.length || (qa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  Ga || !e.length || (Ga = !0, k.ids.peek().length > 40 && (dt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Fa(e) {
-  let t = new Set(mt.peek());
-  t.delete(e) || t.add(e), mt.value = t;
+function Wa(e) {
+  let t = new Set(dt.peek());
+  t.delete(e) || t.add(e), dt.value = t;
 }
-function Nr(e, t, n) {
-  e.shiftKey ? ia(t, Ua.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Wr(e, t, n) {
+  e.shiftKey ? ca(t, za.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Al(e) {
+function Dl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Rl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function ja() {
-  let e = Ua.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Al, children: [
+var Fl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Xa() {
+  let e = za.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = $t.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Dl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
-        l("small", { children: B(M.ids.value.length) })
+        l("small", { children: G(k.ids.value.length) })
       ] }),
       l("span", { class: "gap" }),
       l("div", { class: "segments", role: "group", "aria-label": "Listing", children: [
-        l("button", { "aria-pressed": !r, onClick: () => Lt.value = "faders", children: "Faders" }),
-        l("button", { "aria-pressed": r, onClick: () => Lt.value = "sheet", children: "Sheet" })
+        l("button", { "aria-pressed": !r, onClick: () => $t.value = "faders", children: "Faders" }),
+        l("button", { "aria-pressed": r, onClick: () => $t.value = "sheet", children: "Sheet" })
       ] })
     ] }),
     l("div", { class: "panel-tools", children: [
@@ -2530,37 +2527,37 @@ function ja() {
           type: "text",
           "aria-label": "Filter lamps",
           placeholder: "Filter",
-          value: yo.value,
-          onInput: (i) => yo.value = i.currentTarget.value,
+          value: ko.value,
+          onInput: (i) => ko.value = i.currentTarget.value,
           onKeyDown: (i) => {
-            i.key === "Escape" && (yo.value = "", i.stopPropagation());
+            i.key === "Escape" && (ko.value = "", i.stopPropagation());
           }
         }
       ) }),
-      r && l("select", { "aria-label": "Order", value: _o.value, onChange: (i) => _o.value = i.currentTarget.value, children: [
+      r && l("select", { "aria-label": "Order", value: xo.value, onChange: (i) => xo.value = i.currentTarget.value, children: [
         l("option", { value: "group", children: "by group" }),
         l("option", { value: "name", children: "by name" }),
         l("option", { value: "flux", children: "by flux" }),
         l("option", { value: "level", children: "by level" })
       ] }),
-      l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Rl.map((i) => l(Mr, { id: i }, i)),
+      l(Nt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
+        Fl.map((i) => l(Cr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
         ] })
       ] })
     ] }),
-    r && l(ee, { part: "SheetHead" }),
+    r && l(Z, { part: "SheetHead" }),
     l(
-      qr,
+      Br,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? kr("SheetRow") : Da;
+          let a = e[i], s = r ? kr("SheetRow") : ja;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2568,19 +2565,20 @@ function ja() {
     le.value.length > 1 && l("p", { class: "several", children: [
       le.value.length,
       " selected; a fader moves them in proportion",
-      l("button", { onClick: () => oe("none"), children: "None" })
+      E.value?.kind === "lamp" && l("button", { onClick: () => B("group"), children: "Group" }),
+      l("button", { onClick: () => B("none"), children: "None" })
     ] }),
-    !e.length && M.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
+    !e.length && k.ids.value.length > 0 && l("p", { class: "quiet empty", children: "No lamp is called so." })
   ] });
 }
 
 // src/states.ts
-var xn = g(null), Je = g([]), Sn = g(null), jr = g(null), Ur = N(() => Te.value?.stage ?? "loading"), Wa = g(!1), kn = 0;
-T(() => {
+var En = g(null), Qe = g([]), Tn = g(null), zr = g(null), Gr = N(() => Te.value?.stage ?? "loading"), Ya = g(!1), Cn = 0;
+L(() => {
   let e = Te.value?.fps ?? 0;
-  Ur.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? kn || (kn = performance.now()) : kn = 0, Wa.value = kn > 0 && performance.now() - kn > 2e3;
+  Gr.value === "moving" && e > 6 && Pt.value < 0.4 * e && Pt.value < 5 ? Cn || (Cn = performance.now()) : Cn = 0, Ya.value = Cn > 0 && performance.now() - Cn > 2e3;
 });
-var Wt = N(() => {
+var jt = N(() => {
   switch (j.value) {
     case "entering":
       return "starting";
@@ -2589,91 +2587,91 @@ var Wt = N(() => {
     default:
       return j.value;
   }
-  return !Z.value || !W.value ? "loading" : at.value.state === "failed" ? "unsaved" : xn.value !== null ? "broken" : Sn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : ji.value ? "all-off" : Wa.value ? "slow" : Ur.value === "loading" ? "first" : Ur.value;
+  return !te.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : En.value !== null ? "broken" : Tn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Xi.value ? "all-off" : Ya.value ? "slow" : Gr.value === "loading" ? "first" : Gr.value;
 });
-xe("event", (e) => {
+Se("event", (e) => {
   switch (e.what) {
     case "reloaded": {
-      xn.value = null, Je.value = e.lost ?? [];
+      En.value = null, Qe.value = e.lost ?? [];
       let t = e.kept ?? 0;
-      se(`The scene was read again: ${t} edits kept${Je.value.length ? `, ${Je.value.length} no longer find what they changed` : ""}.`);
+      se(`The scene was read again: ${t} edits kept${Qe.value.length ? `, ${Qe.value.length} no longer find what they changed` : ""}.`);
       break;
     }
     case "broken":
-      xn.value = e.why ?? "The scene file cannot be read.";
+      En.value = e.why ?? "The scene file cannot be read.";
       break;
     case "taken":
-      Sn.value = e.by ?? F.peek().name ?? "somebody else";
+      Tn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      jr.value = e;
+      zr.value = e;
       break;
   }
 });
-xe("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
-T(() => {
-  F.value.you && (Sn.value = null);
+Se("refused", (e) => se(e.why ?? "That could not be done.", "warn"));
+L(() => {
+  F.value.you && (Tn.value = null);
 });
 
 // src/probe.ts
-var wo = g(null);
-function ko(e, t, n) {
+var So = g(null);
+function Pn(e, t, n) {
   let o = Kt(e, t);
   if (!o) return n(null);
-  Se("point", o, (r) => n(r.hit ? r : null));
+  De("point", o, (r) => n(r.hit ? r : null));
 }
-function Ba(e) {
+function Qa(e) {
   if (!e) return "";
-  let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
-  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${Ye(e.lux[0])} ±${Ye(e.lux[1], !1)}`), e.change != null && t.push(`Δ ${Sr(e.change)}`), e.luminance) {
-    let i = e.luminance[0] * (Vt.value === "fc" ? 0.2919 : 1);
-    t.push(`${Xe(i)} ${Vt.value === "fc" ? "fL" : "cd/m²"}`);
+  let t = [], n = k.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = kt.get(e.material)?.name;
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${pt(e.lux[0])} ±${pt(e.lux[1], !1)}`), e.change != null && t.push(`Δ ${Sr(e.change * fn.peek())}`), e.luminance) {
+    let i = e.luminance[0] * (Lt.value === "fc" ? 0.2919 : 1);
+    t.push(`${Ye(i)} ${Lt.value === "fc" ? "fL" : "cd/m²"}`);
   }
   return t.join(" · ");
 }
 
 // src/status.tsx
-var za = N(() => {
+var Ja = N(() => {
   W.value;
   let e = [];
-  for (let t of ae.sent.slice(-24)) {
+  for (let t of ie.sent.slice(-24)) {
     if (t.what !== "set" && t.what !== "camera") continue;
-    let n = ae.frames.find((o) => o.seq >= t.seq && o.painted);
+    let n = ie.frames.find((o) => o.seq >= t.seq && o.painted);
     n && n.painted > t.at && e.push(n.painted - (t.input || t.at));
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Ol() {
+function Nl() {
   let e = Te.value;
   if (!e) return "starting";
-  let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
+  let t = e.error == null ? "" : ` ±${G((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
   switch (e.stage) {
     case "loading":
       return "first look";
     case "moving":
       return `moving${t}`;
     case "refining":
-      return `${t.trim() || "refining"}${e.good_in ? `, good in ${B(e.good_in, e.good_in < 3 ? 1 : 0)} s` : ""}`;
+      return `${t.trim() || "refining"}${e.good_in ? `, good in ${G(e.good_in, e.good_in < 3 ? 1 : 0)} s` : ""}`;
     case "good":
       return `good${t}`;
     case "done":
       return `finished${t}`;
   }
 }
-function Ga() {
-  let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
+function Za() {
+  let e = Te.value, t = W.value?.head, n = an.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Ol()
+      Nl()
     ] }),
     l("span", { children: [
-      B(t?.batches ?? e?.batches ?? 0),
+      G(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
-    l("span", { children: j.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    za.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(za.value),
+    l("span", { children: j.value === "open" ? `${G(Pt.value)} fps` : "no line" }),
+    Ja.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      G(Ja.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2682,210 +2680,210 @@ function Ga() {
       t.height
     ] }),
     l("span", { class: "wide", children: [
-      sn.value.length,
+      an.value.length,
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ba(wo.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Qa(So.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
-      Bn.value ?? "",
+      Qn.value ?? "",
       " ",
-      Wt.value
+      jt.value
     ] })
   ] });
 }
 
 // src/pointer.ts
-var Hl = 4, Xa = 35e-4, Kl = 0.15;
-function Dl(e, t, n) {
+var ql = 4, es = 35e-4, Ul = 0.15;
+function jl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ya(e, t) {
-  let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
+function ts(e, t) {
+  let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, s = 0, p = 0, u = null, c = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
-  }, d = (h, v, $) => {
-    let L = Kt(h, v);
-    L && Se("point", L, (V) => {
-      let A = V;
-      A.hit && $?.(A);
+  }, d = (h, v, T) => {
+    let P = Kt(h, v);
+    P && De("point", P, ($) => {
+      let R = $;
+      R.hit && T?.(R);
     });
   }, m = (h) => {
-    let v = pt();
-    return v ? Math.max(0.2, q(K(h, v.eye), v.forward)) : r;
+    let v = ct();
+    return v ? Math.max(0.2, q(O(h, v.eye), v.forward)) : r;
   };
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Dl(Yn.peek(), h.button, V);
-    A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
+    let [v, T] = c(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, R = P ? "look" : jl(to.peek(), h.button, $);
+    R === "look" && oe()?.height && (R = "pan"), X.peek() === "marquee" && h.button === 0 && (R = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
       x: v,
-      y: $,
+      y: T,
       startX: v,
-      startY: $,
+      startY: T,
       moved: !1,
-      motion: A,
-      touch: L,
+      motion: R,
+      touch: P,
       shift: h.shiftKey,
-      ctrl: V.ctrl
-    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (A === "orbit" || A === "pan" || A === "dolly") && (o = Dt(), r = m(o), d(v, $, (R) => {
-      o = R.point, r = m(R.point);
-    })), clearTimeout(s), L && n.size === 1 && (s = window.setTimeout(() => {
-      let R = n.get(h.pointerId);
-      R && !R.moved && n.size === 1 && (R.moved = !0, R.motion = "none", t.menu(R.x, R.y));
-    }, 550)), n.size === 2 && (c = b()), h.button === 1 && h.preventDefault();
+      ctrl: $.ctrl
+    }), e.setPointerCapture(h.pointerId), clearTimeout(a), t.unhover(), (R === "orbit" || R === "pan" || R === "dolly") && (o = Ot(), r = m(o), d(v, T, (A) => {
+      o = A.point, r = m(A.point);
+    })), clearTimeout(s), P && n.size === 1 && (s = window.setTimeout(() => {
+      let A = n.get(h.pointerId);
+      A && !A.moved && n.size === 1 && (A.moved = !0, A.motion = "none", t.menu(A.x, A.y));
+    }, 550)), n.size === 2 && (u = b()), h.button === 1 && h.preventDefault();
   }
   function b() {
     let [h, v] = [...n.values()];
     return { gap: Math.hypot(h.x - v.x, h.y - v.y), x: (h.x + v.x) / 2, y: (h.y + v.y) / 2 };
   }
   function y(h) {
-    let v = n.get(h.pointerId), [$, L] = u(h);
+    let v = n.get(h.pointerId), [T, P] = c(h);
     if (!v) {
       if (h.pointerType === "touch" || h.buttons) return;
-      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover($, L), 150);
+      t.unhover(), clearTimeout(a), a = window.setTimeout(() => t.hover(T, P), 150);
       return;
     }
-    let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Hl)) {
-      if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
-        let R = b();
-        Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
+    let [$, R] = [T - v.x, P - v.y];
+    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < ql)) {
+      if (v.moved = !0, v.x = T, v.y = P, n.size === 2 && u) {
+        let A = b();
+        Dt(A.x - u.x, A.y - u.y, r), A.gap > 8 && u.gap > 8 && w(A.x, A.y, u.gap / A.gap, !1), u = A;
         return;
       }
-      if (z.peek() === "marquee" && v.button === 0) {
-        t.marquee([v.startX, v.startY], [$, L], !1);
+      if (X.peek() === "marquee" && v.button === 0) {
+        t.marquee([v.startX, v.startY], [T, P], !1);
         return;
       }
       switch (v.motion) {
         case "look": {
-          let R = v.touch ? 1 : -1;
-          oo(R * V * Xa, R * A * Xa);
+          let A = v.touch ? 1 : -1;
+          ao(A * $ * es, A * R * es);
           break;
         }
         case "orbit":
-          ro(o, -V * 6e-3, -A * 6e-3);
+          so(o, -$ * 6e-3, -R * 6e-3);
           break;
         case "pan":
-          Ft(V, A, r);
+          Dt($, R, r);
           break;
         case "dolly":
-          k(v.startX, v.startY, Math.exp(A * 6e-3), !1);
+          w(v.startX, v.startY, Math.exp(R * 6e-3), !1);
           break;
         case "none":
           break;
       }
     }
   }
-  function w(h) {
+  function x(h) {
     let v = n.get(h.pointerId);
-    if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (c = null), !(!v || h.type === "pointercancel")) {
+    if (n.delete(h.pointerId), clearTimeout(s), n.size < 2 && (u = null), !(!v || h.type === "pointercancel")) {
       if (v.moved) {
-        z.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
+        X.peek() === "marquee" && t.marquee([v.startX, v.startY], [v.x, v.y], !0);
         return;
       }
       if (v.touch) {
-        let $ = performance.now(), L = $ - p < 320;
-        if (p = $, L) return t.double();
-        if (ye.peek()) return;
+        let T = performance.now(), P = T - p < 320;
+        if (p = T, P) return t.double(v.x, v.y);
+        if (we.peek()) return;
       }
       if (v.button === 2) t.menu(v.x, v.y);
       else if (v.button === 0) {
-        let $ = v.shift ? "add" : v.ctrl ? "toggle" : "only";
-        t.click(v.x, v.y, $);
+        let T = v.shift ? "add" : v.ctrl ? "toggle" : "only";
+        t.click(v.x, v.y, T);
       }
     }
   }
-  let x = null;
-  function k(h, v, $, L) {
-    let V = ne(), A = pt();
-    if (!V || !A) return;
-    if (V.height) return Q(Nn(V, A, h, v, $));
-    let R = performance.now();
-    if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
-      x = { x: h, y: v, time: R, point: null };
-      let vt = x;
-      d(h, v, (Xr) => {
-        vt.point = Xr.point, r = m(Xr.point);
+  let S = null;
+  function w(h, v, T, P) {
+    let $ = oe(), R = ct();
+    if (!$ || !R) return;
+    if ($.height) return J(Bn($, R, h, v, T));
+    let A = performance.now();
+    if (!S || A - S.time > 500 || Math.hypot(h - S.x, v - S.y) > 6) {
+      S = { x: h, y: v, time: A, point: null };
+      let ht = S;
+      d(h, v, (ei) => {
+        ht.point = ei.point, r = m(ei.point);
       });
     }
-    x.time = R;
-    let [as, ss] = [h - A.width / 2, A.height / 2 - v], ls = Math.min(r, He(V.eye, Dt()) + 1), xo = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * as * A.pixel + A.up[vt] * ss * A.pixel) * ls, Gr = x.point ?? [xo(0), xo(1), xo(2)];
-    Q(Fn(V, Gr, $, Kl, L)), L && He(V.eye, Gr) < 0.5 && (x = null);
+    S.time = A;
+    let [fs, ps] = [h - R.width / 2, R.height / 2 - v], ds = Math.min(r, He($.eye, Ot()) + 1), Mo = (ht) => $.eye[ht] + (R.forward[ht] + R.side[ht] * fs * R.pixel + R.up[ht] * ps * R.pixel) * ds, Zr = S.point ?? [Mo(0), Mo(1), Mo(2)];
+    J(Wn($, Zr, T, Ul, P)), P && He($.eye, Zr) < 0.5 && (S = null);
   }
-  function _(h) {
+  function M(h) {
     if (h.target.closest("[data-scroll]")) return;
     h.preventDefault();
-    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [$, L] = [h.deltaX * v, h.deltaY * v], [V, A] = u(h);
-    if (Yn.peek() === "trackpad" && !h.ctrlKey) return Ft(-$, -L, r);
-    let R = (h.ctrlKey ? 6 : 1) * (Math.abs(L) > Math.abs($) ? L : $);
-    k(V, A, Math.exp(Math.max(-300, Math.min(300, R)) * 16e-4), h.shiftKey && !h.ctrlKey);
+    let v = h.deltaMode === 1 ? 18 : h.deltaMode === 2 ? 400 : 1, [T, P] = [h.deltaX * v, h.deltaY * v], [$, R] = c(h);
+    if (to.peek() === "trackpad" && !h.ctrlKey) return Dt(-T, -P, r);
+    let A = (h.ctrlKey ? 6 : 1) * (Math.abs(P) > Math.abs(T) ? P : T);
+    w($, R, Math.exp(Math.max(-300, Math.min(300, A)) * 16e-4), h.shiftKey && !h.ctrlKey);
   }
-  let C = (h) => h.preventDefault(), Me = () => {
+  let I = (h) => h.preventDefault(), Me = () => {
     clearTimeout(a), t.unhover();
-  }, Ze = (h) => {
-    !h.target.closest("[data-handle]") && z.peek() === null && t.double();
+  }, Je = (h) => {
+    !h.target.closest("[data-handle]") && X.peek() === null && t.double(...c(h));
   }, fe = (h) => {
     h.code === "Space" && (i = h.type === "keydown");
   }, ve = new ResizeObserver(() => {
     let h = e.getBoundingClientRect();
-    _e.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
+    ke.value = [Math.max(16, Math.round(h.width)), Math.max(16, Math.round(h.height))];
   });
-  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", w), e.addEventListener("pointercancel", w), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", _, { passive: !1 }), e.addEventListener("contextmenu", C), e.addEventListener("dblclick", Ze), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
+  return ve.observe(e), e.addEventListener("pointerdown", f), e.addEventListener("pointermove", y), e.addEventListener("pointerup", x), e.addEventListener("pointercancel", x), e.addEventListener("pointerleave", Me), e.addEventListener("wheel", M, { passive: !1 }), e.addEventListener("contextmenu", I), e.addEventListener("dblclick", Je), addEventListener("keydown", fe), addEventListener("keyup", fe), () => {
     ve.disconnect(), removeEventListener("keydown", fe), removeEventListener("keyup", fe);
   };
 }
 
 // src/overlay.ts
-var Fl = "http://www.w3.org/2000/svg";
-function we(e, t = {}, n) {
-  let o = document.createElementNS(Fl, e);
+var Wl = "http://www.w3.org/2000/svg";
+function xe(e, t = {}, n) {
+  let o = document.createElementNS(Wl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Br = class {
+var Yr = class {
   view;
   fit;
   constructor(t) {
-    this.view = t, this.fit = hn(t.width, t.height);
+    this.view = t, this.fit = gn(t.width, t.height);
   }
   at(t) {
-    let [n, o, r] = tn(this.view, t);
+    let [n, o, r] = en(this.view, t);
     return r < 0.02 && !this.view.parallel ? null : [this.fit.x + n * this.fit.scale, this.fit.y + o * this.fit.scale];
   }
   /** A line of the scene as a path, as much of it as lies before the eye. */
   line(t, n) {
-    let [, , o] = tn(this.view, t), [, , r] = tn(this.view, n), i = 0.05, [a, s] = [t, n];
+    let [, , o] = en(this.view, t), [, , r] = en(this.view, n), i = 0.05, [a, s] = [t, n];
     if (!this.view.parallel) {
       if (o < i && r < i) return "";
-      let u = (i - o) / (r - o), d = I(S(t, 1 - u), S(n, u));
+      let c = (i - o) / (r - o), d = V(_(t, 1 - c), _(n, c));
       o < i && (a = d), r < i && (s = d);
     }
-    let [p, c] = [this.at(a), this.at(s)];
-    return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
+    let [p, u] = [this.at(a), this.at(s)];
+    return !p || !u ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
   }
 };
-function zr() {
+function Qr() {
   let e = W.value;
-  return _e.value, e ? new Br(wt(e.camera, e.head.width, e.head.height)) : null;
+  return ke.value, e ? new Yr(_t(e.camera, e.head.width, e.head.height)) : null;
 }
-function Qa() {
-  let e = ie(zr);
-  return e ? M.all().flatMap(([t, n]) => {
-    let o = Ja(n), r = o && e.at(o);
+function ns() {
+  let e = ue(Qr);
+  return e ? k.all().flatMap(([t, n]) => {
+    let o = os(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ja = vr, Nl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Wr(e, t) {
-  let n = _t(t);
-  return Nl.map(([o, r]) => e.line(n[o], n[r])).join("");
+var os = gr, Bl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Xr(e, t) {
+  let n = yt(t);
+  return Bl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var ql = 150, Mn = class {
+var Gl = 150, $n = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2901,10 +2899,10 @@ var ql = 150, Mn = class {
       n.add(o);
       let s = this.marks.get(o);
       if (!s) {
-        let p = we("g", { "data-kind": this.kind, "data-id": o }, this.parent);
+        let p = xe("g", { "data-kind": this.kind, "data-id": o }, this.parent);
         this.shape(p);
-        let c = we("text", { x: 10, y: 4 }, p);
-        s = { group: p, label: c }, this.marks.set(o, s);
+        let u = xe("text", { x: 10, y: 4 }, p);
+        s = { group: p, label: u }, this.marks.set(o, s);
       }
       if (!r) {
         s.group.setAttribute("display", "none");
@@ -2916,56 +2914,63 @@ var ql = 150, Mn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Za(e) {
-  let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Mn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Mn(we("g", {}, e), "grid", () => {
-  }), s = new Mn(we("g", {}, e), "meter", (u) => {
-    we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
-  }), p = T(() => {
-    let u = zr();
-    if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= ql, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Ze = Ja(_), fe = _.place?.position;
-      if (C && _.box && (b += Wr(u, _.box)), fe && _.place?.direction && (C || Me)) {
-        let v = _.place.aim ?? I(fe, _.place.direction);
-        f += u.line(fe, v);
+function rs(e) {
+  let t = xe("path", { class: "aims" }, e), n = xe("path", { class: "boxes" }, e), o = xe("path", { class: "boxes hover" }, e), r = xe("path", { class: "grid-lines" }, e), i = new $n(xe("g", {}, e), "lamp", (c) => xe("circle", { r: 4.5 }, c)), a = new $n(xe("g", {}, e), "grid", () => {
+  }), s = new $n(xe("g", {}, e), "meter", (c) => {
+    xe("circle", { r: 5.5 }, c), xe("path", { d: "M-9 0H9M0 -9V9" }, c);
+  }), p = L(() => {
+    let c = Qr();
+    if (!c) return;
+    let d = E.value, m = me.value, f = "", b = "", y = k.ids.value.length <= Gl, x = k.all().map(([w, M]) => {
+      let I = d?.kind === "lamp" ? d.ids.includes(w) : d?.kind === "group" && d.ids.includes(M.group ?? -1), Me = m?.kind === "lamp" ? m.id === w : m?.kind === "group" && m.id === M.group, Je = os(M), fe = M.place?.position;
+      if (I && M.box && (b += Xr(c, M.box)), fe && M.place?.direction && (I || Me)) {
+        let v = M.place.aim ?? V(fe, M.place.direction);
+        f += c.line(fe, v);
       }
-      let ve = C || Me || y && nr.value && (_.own || _.place?.position), h = `${C ? "selected" : ""} ${Me ? "under" : ""} ${lt(_) ? "" : "off"}`;
-      return { id: k, at: Ze && ve ? u.at(Ze) : null, label: C || Me ? _.name : "", state: h };
+      let ve = I || Me || y && rr.value && (M.own || M.place?.position), h = `${I ? "selected" : ""} ${Me ? "under" : ""} ${sn(M) ? "" : "off"}`;
+      return { id: w, at: Je && ve ? c.at(Je) : null, label: I || Me ? M.name : "", state: h };
     });
-    if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
-      for (let k of d.ids) {
-        let _ = be.get(k)?.box;
-        _ && (b += Wr(u, _));
+    if (i.draw(x), t.setAttribute("d", f), d?.kind === "thing")
+      for (let w of d.ids) {
+        let M = ye.get(w)?.box;
+        M && (b += Xr(c, M));
       }
     n.setAttribute("d", b);
-    let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", x ? Wr(u, x) : "");
-  }), c = T(() => {
-    let u = zr();
-    if (!u) return;
-    let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
-    s.draw(Ct.all().map(([b, y]) => ({
+    let S = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? ye.get(m.id)?.box : null;
+    o.setAttribute("d", S ? Xr(c, S) : "");
+  }), u = L(() => {
+    let c = Qr();
+    if (!c) return;
+    let d = E.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
+    s.draw(Mt.all().map(([b, y]) => ({
       id: b,
-      at: u.at(y.point),
-      label: y.lux ? Ye(y.lux[0]) : "…",
+      at: c.at(y.point),
+      label: y.lux ? pt(y.lux[0]) : "…",
       state: m("meter", b)
     })));
     let f = "";
-    a.draw(Un.all().map(([b, y]) => {
-      f += Ul(u, y);
-      let w = y.mean == null ? "…" : `${y.name} ${Ye(y.mean)}`;
-      return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
+    a.draw(zn.all().map(([b, y]) => {
+      f += zl(c, y);
+      let x = y.mean == null ? "…" : `${y.name} ${pt(y.mean)}`;
+      return { id: b, at: c.at(y.corner), label: x, state: m("grid", b) };
     })), r.setAttribute("d", f);
   });
   return () => {
-    p(), c(), e.replaceChildren();
+    p(), u(), e.replaceChildren();
   };
 }
-function Ul(e, t) {
-  let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
+function is({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
+  let p = (u, c, d) => {
+    let m = be(u) > 2 * i ? i / be(u) : 0;
+    return _(u, m + (1 - 2 * m) * (c + 0.5) / d);
+  };
+  return V(e, V(p(t, a, o), p(n, s, r)));
+}
+function zl(e, t) {
+  let n = (r, i) => V(t.corner, V(_(t.u, r), _(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
-      let a = e.at(n((i + 0.5) / t.columns, (r + 0.5) / t.rows));
+      let a = e.at(is(t, i, r));
       a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
     }
   return o;
@@ -2975,25 +2980,25 @@ function Ul(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var es = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function jl() {
-  let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
+var as = () => `lampyris view ${te.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Xl() {
+  let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Le("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Wl() {
-  switch (Wt.value) {
+function Yl() {
+  switch (jt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = jr.value;
+      let e = zr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
-        e?.file ?? Z.value?.file ?? "the scene",
+        e?.file ?? te.value?.file ?? "the scene",
         "…",
-        e?.bytes ? ` ${B(e.bytes / 1e6, 1)} MB` : "",
+        e?.bytes ? ` ${G(e.bytes / 1e6, 1)} MB` : "",
         e?.progress != null && l("progress", { value: e.progress, max: 1, "aria-label": "Reading" })
       ] });
     }
@@ -3007,11 +3012,11 @@ function Wl() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: es() }),
+          l("code", { children: as() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          _r(es());
+          wr(as());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3024,37 +3029,37 @@ function Wl() {
     case "unsaved":
       return l(ce, { tone: "warn", children: [
         "Edits are not being saved: ",
-        at.value.why ?? "unknown reason",
+        it.value.why ?? "unknown reason",
         ".",
-        l("button", { onClick: () => dt.value = "save", children: "Save elsewhere" })
+        l("button", { onClick: () => ft.value = "save", children: "Save elsewhere" })
       ] });
     case "broken":
       return l(ce, { tone: "warn", children: [
-        xn.value,
+        En.value,
         " Still showing what was read before."
       ] });
     case "control-lost":
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "Control moved to ",
-          l("em", { children: Sn.value }),
+          l("em", { children: Tn.value }),
           "."
         ] }),
         " ",
-        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Take it back" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Take it back" })
       ] });
     case "watching":
       return l(ce, { tone: "calm", children: [
         l("span", { children: [
           "You are watching",
-          F.value.name ? l(X, { children: [
+          F.value.name ? l(Y, { children: [
             "; ",
             l("em", { children: F.value.name }),
             " edits"
           ] }) : "",
           "."
         ] }),
-        l("button", { onClick: () => H({ do: "edit", what: "take" }), children: "Ask for control" })
+        l("button", { onClick: () => K({ do: "edit", what: "take" }), children: "Ask for control" })
       ] });
     case "no-lamps":
       return l(ce, { tone: "calm", children: [
@@ -3063,7 +3068,7 @@ function Wl() {
           "button",
           {
             onClick: () => {
-              mr.value = "disc", hr("add");
+              hr.value = "disc", vr("add");
             },
             children: "ceiling lamp"
           }
@@ -3073,8 +3078,8 @@ function Wl() {
     case "all-off":
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
-        it.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: jl, children: "Turn on" })
+        rt.value.undo && l("button", { onClick: () => B("undo"), children: "Undo" }),
+        l("button", { onClick: Xl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3086,73 +3091,76 @@ function Wl() {
       return null;
   }
 }
-function ts() {
-  let e = ke.value;
+function ss() {
+  let e = _e.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Wl(),
-    Je.value.length > 0 && l(ce, { tone: "calm", children: [
+    Yl(),
+    Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
-          Je.value.length,
+          Qe.value.length,
           " edits no longer find what they changed"
         ] }),
-        l("ul", { children: Je.value.map((t) => l("li", { children: t }, t)) })
+        l("ul", { children: Qe.value.map((t) => l("li", { children: t }, t)) })
       ] }),
-      l("button", { onClick: () => Je.value = [], children: "Good" })
+      l("button", { onClick: () => Qe.value = [], children: "Good" })
     ] }),
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
-      e.length === 1 ? M.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: Er, children: "End solo" })
+      e.length === 1 ? k.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
+      l("button", { onClick: Tr, children: "End solo" })
     ] }),
-    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ft.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
+    l("div", { class: "notes", role: "status", "aria-live": "polite", children: ut.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
-      l("button", { class: "icon", "aria-label": "Close", onClick: () => rr(t.id), children: l(G, { name: "close" }) })
+      l("button", { class: "icon", "aria-label": "Close", onClick: () => ar(t.id), children: l(z, { name: "close" }) })
     ] }, t.id)) })
   ] });
 }
 
 // src/view.tsx
-var os = g(null);
-function Bl(e, t) {
-  let n = Qa();
+var ls = g(null);
+function Ql(e, t) {
+  let n = ns();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var zl = {
+var Jl = {
   click(e, t, n) {
-    let o = ns(e, t);
-    if (z.peek() === null && o) return ze(o.kind, o.id, n);
-    ko(e, t, (r) => {
-      if (r && (no.value = { point: r.point, normal: r.normal }), z.peek() !== null) return da(r);
-      sa(r, n), P.peek() && (Ie.value = "inspector");
+    let o = Jr(e, t);
+    if (X.peek() === null && o) return ze(o.kind, o.id, n);
+    Pn(e, t, (r) => {
+      if (r && (hn.value = { point: r.point, normal: r.normal }), X.peek() !== null) return ya(r);
+      pa(r, n), E.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
-    ko(e, t, (n) => {
-      n && po(e, t, n);
+    Pn(e, t, (n) => {
+      n && vo(e, t, n);
     });
   },
-  double() {
-    pr();
+  double(e, t) {
+    if (Jr(e, t)) return B("frame");
+    Pn(e, t, (n) => {
+      n && (hn.value = { point: n.point, normal: n.normal }), B(n && !yn("there") ? "there" : "frame");
+    });
   },
   hover(e, t) {
-    let n = ns(e, t);
-    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), ko(e, t, (o) => {
-      wo.value = o, o && (no.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
+    let n = Jr(e, t);
+    n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), Pn(e, t, (o) => {
+      So.value = o, o && (hn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
   },
   unhover() {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (os.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Bl(e, t);
-    P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
+    if (ls.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Ql(e, t);
+    E.value = o.length ? { kind: "lamp", ids: o } : null, X.value = null;
   }
 };
-function ns(e, t) {
+function Jr(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3162,7 +3170,7 @@ function ns(e, t) {
   }
   return o;
 }
-var Gl = {
+var Zl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3170,50 +3178,51 @@ var Gl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function rs() {
-  let e = te(null), t = te(null), n = te(null);
+function us() {
+  let e = ne(null), t = ne(null), n = ne(null);
   return Ce(() => {
-    Yo(t.current);
-    let o = Za(n.current), r = Ya(e.current, zl);
+    Jo(t.current);
+    let o = rs(n.current), r = ts(e.current, Jl);
     return () => {
-      Yo(null), o(), r();
+      Jo(null), o(), r();
     };
-  }, []), Ti(() => {
+  }, []), Ii(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
     l(
       "div",
       {
-        class: z.value ? "stage tooled" : "stage",
+        class: X.value ? "stage tooled" : "stage",
         id: "view",
         ref: e,
         tabIndex: 0,
         role: "application",
-        "aria-label": `View of ${Z.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
+        "aria-label": `View of ${te.value?.name ?? "the scene"}${Ht.value ? `, ${Ht.value}` : ""}`,
         "aria-describedby": "view-keys",
-        "data-tool": z.value ?? "",
+        "data-tool": X.value ?? "",
         children: [
           l("canvas", { ref: t, width: 640, height: 480, "aria-hidden": "true" }),
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
-          l(ee, { part: "Gizmo" }),
-          l(ee, { part: "Compare" }),
-          l(Xl, {})
+          l(Z, { part: "Gizmo" }),
+          l(Z, { part: "Compare" }),
+          l(eu, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: Gl[z.value] }),
-    l(ts, {}),
-    l(ee, { part: "Legend" }),
-    l(ee, { part: "CutBar" }),
-    l(ee, { part: "ViewStrip" }),
-    l(ee, { part: "WalkPad" }),
-    l(ee, { part: "What" })
+    X.value && l("p", { class: "hint", role: "status", children: Zl[X.value] }),
+    l(ss, {}),
+    l(Z, { part: "TypedHint" }),
+    l(Z, { part: "Legend" }),
+    l(Z, { part: "CutBar" }),
+    l(Z, { part: "ViewStrip" }),
+    l(Z, { part: "WalkPad" }),
+    l(Z, { part: "What" })
   ] });
 }
-function Xl() {
-  let e = os.value;
+function eu() {
+  let e = ls.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3228,192 +3237,202 @@ function Xl() {
 }
 
 // src/main.tsx
-function Yl() {
-  return l(X, { children: [
-    l(xa, {}),
-    l(ja, {}),
-    l(rs, {}),
-    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
-    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Ga, {}),
-    l(ee, { part: "Sheets" })
+function tu() {
+  return l(Y, { children: [
+    l(Pa, {}),
+    l(Xa, {}),
+    l(us, {}),
+    l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(Z, { part: "Inspector" }) }),
+    l("section", { class: "strip", "aria-label": "Looks and meters", children: l(Z, { part: "Strip" }) }),
+    l(Za, {}),
+    l(Z, { part: "Sheets" })
   ] });
 }
-var ht = document.getElementById("desk");
-ht.replaceChildren();
-li(l(Yl, {}), ht);
-T(() => {
-  ht.dataset.state = Wt.value, ht.dataset.line = j.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
+var mt = document.getElementById("desk");
+mt.replaceChildren();
+di(l(tu, {}), mt);
+L(() => {
+  mt.dataset.state = jt.value, mt.dataset.line = j.value, mt.dataset.pen = pe.value === "edit" && F.value.you && !we.value ? "yes" : "no";
 });
-T(() => {
-  ht.dataset.panels = er.value ? "yes" : "no", ht.dataset.drawer = Ie.value ?? "none";
+L(() => {
+  mt.dataset.panels = nr.value ? "yes" : "no", mt.dataset.drawer = Ie.value ?? "none";
 });
-T(() => {
-  document.documentElement.dataset.theme = Qo.value, document.documentElement.style.setProperty("--house", String(Jo.value));
+L(() => {
+  document.documentElement.dataset.theme = Zo.value, document.documentElement.style.setProperty("--house", String(er.value));
 });
-T(() => {
-  Z.value && (document.title = `${Z.value.name} – Lampyris`);
+L(() => {
+  te.value && (document.title = `${te.value.name} – Lampyris`);
 });
-var is = 0;
-T(() => {
-  let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(is), is = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+var cs = 0;
+L(() => {
+  let [e, t] = ke.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
+  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(cs), cs = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
 });
-ba();
-Aa();
-Xi();
+Sa();
+Fa();
+ea();
 export {
-  br as DEFAULT_FALSE,
-  wn as Fade,
-  bn as Field,
-  X as Fragment,
+  yr as DEFAULT_FALSE,
+  ma as EYE_HEIGHT,
+  Mn as Fade,
+  wn as Field,
+  Y as Fragment,
   Be as Gesture,
-  G as Icon,
-  Mr as Item,
-  Is as PRESETS,
-  Dr as Range,
-  qr as Virtual,
-  rt as across,
-  oe as act,
-  I as add,
-  mr as adding,
-  ml as allActions,
-  Se as ask,
-  ma as asked,
-  el as back,
-  pn as before,
+  z as Icon,
+  Cr as Item,
+  qr as LevelField,
+  Os as PRESETS,
+  Nr as Power,
+  jr as Range,
+  Br as Virtual,
+  ot as across,
+  B as act,
+  V as add,
+  hr as adding,
+  yl as allActions,
+  De as ask,
+  _a as asked,
+  rl as back,
+  dn as before,
   he as camera,
-  Vt as candles,
+  Lt as candles,
   le as chosenLamps,
-  Er as clearSolo,
-  mo as closeWhat,
-  Ka as colorText,
-  so as command,
-  dn as compareHeld,
+  Tr as clearSolo,
+  Pr as closeWhat,
+  Dr as colorText,
+  co as command,
+  mn as compareHeld,
   de as comparing,
-  Ri as compass,
+  Fi as compass,
   N as computed,
-  _r as copyText,
-  Fr as cost,
+  wr as copyText,
+  wo as cost,
   ge as cross,
-  Kr as css,
-  al as cut,
-  eo as deselect,
-  B as digits,
-  st as display,
+  Ur as css,
+  fl as cut,
+  ro as deselect,
+  G as digits,
+  at as display,
   He as distance,
   q as dot,
-  ul as each,
+  ml as each,
   Le as edit,
   F as editor,
-  T as effect,
-  lo as exposeBy,
-  or as fade,
-  cl as falseColor,
-  As as filterOf,
+  L as effect,
+  fo as exposeBy,
+  ir as fade,
+  hl as falseColor,
+  Ds as filterOf,
   We as fine,
-  hn as fitted,
-  gn as format,
-  tl as forth,
-  pr as frameSelection,
-  io as free,
-  Vl as fromHex,
-  Q as go,
-  dr as goHome,
-  il as goInside,
-  rl as goPreset,
-  Un as grids,
+  gn as fitted,
+  _n as format,
+  il as forth,
+  ll as frameSelection,
+  lo as free,
+  Kl as fromHex,
+  J as go,
+  mr as goHome,
+  cl as goInside,
+  ul as goPreset,
+  is as gridPoint,
+  zn as grids,
   D as groups,
-  Qs as handles,
-  Yn as hands,
-  xe as hear,
-  ne as here,
-  Oa as hex,
-  fo as highlight,
-  it as history,
-  Jo as houseLights,
+  nl as handles,
+  to as hands,
+  Se as hear,
+  oe as here,
+  qa as hex,
+  ho as highlight,
+  rt as history,
+  er as houseLights,
   me as hovered,
   l as jsx,
   l as jsxs,
-  nr as lampMarks,
-  M as lamps,
-  sn as layers,
-  Oe as length,
-  Lt as listing,
-  ye as lookOnly,
-  Mt as looks,
-  Wo as lumensOf,
-  Ye as luxText,
-  js as maintenance,
-  xt as materials,
-  Ct as meters,
-  qe as middle,
-  Il as mired,
-  aa as nameOf,
-  J as normal,
-  ll as onTool,
-  lt as output,
-  El as padWalk,
-  er as panels,
-  Jn as penless,
-  Ae as percent,
-  Nr as pickRow,
-  wt as pinhole,
-  vr as positionOf,
-  tn as project,
-  Vs as ray,
-  dl as register,
+  Tl as keysFirst,
+  rr as lampMarks,
+  k as lamps,
+  an as layers,
+  be as length,
+  Fr as listed,
+  $t as listing,
+  we as lookOnly,
+  St as looks,
+  Go as lumensOf,
+  Mr as luxText,
+  pt as maintained,
+  fn as maintenance,
+  kt as materials,
+  Mt as meters,
+  Ue as middle,
+  Ol as mired,
+  Ke as moved,
+  fa as nameOf,
+  ee as normal,
+  dl as onTool,
+  sn as output,
+  Vl as padWalk,
+  nr as panels,
+  Ge as penless,
+  Re as percent,
+  Wr as pickRow,
+  _t as pinhole,
+  gr as positionOf,
+  en as project,
+  Ks as ray,
+  bl as register,
   pe as role,
   se as say,
-  S as scale,
-  Z as scene,
+  _ as scale,
+  te as scene,
   ze as select,
-  P as selection,
-  H as send,
-  sl as setCut,
-  dt as sheet,
-  At as show,
+  E as selection,
+  K as send,
+  pl as setCut,
+  ft as sheet,
+  It as show,
   W as shown,
   g as signal,
   Sr as signed,
-  tr as singleKeys,
-  bl as soloSelection,
-  no as spot,
-  hr as startTool,
+  or as singleKeys,
+  xl as soloSelection,
+  hn as spot,
+  vr as startTool,
   Te as status,
-  zs as step,
-  Js as stepSelection,
-  pl as storeLook,
-  fl as storeView,
-  ir as stroke,
-  bo as strokeLevel,
-  K as sub,
-  Hr as switchOn,
-  Qo as theme,
-  be as things,
-  Xe as three,
-  to as titleOf,
-  Ir as toLevel,
-  Vr as toTravel,
-  yr as toggleFalse,
-  Ys as toggleWipe,
-  z as tool,
-  Qn as travel,
-  en as turn,
-  Or as typeGroupLevel,
-  Rr as typeLevel,
+  Js as step,
+  ol as stepSelection,
+  gl as storeLook,
+  vl as storeView,
+  sr as stroke,
+  _o as strokeLevel,
+  O as sub,
+  Or as switchOn,
+  Zo as theme,
+  ye as things,
+  Ye as three,
+  io as titleOf,
+  Rr as toLevel,
+  Ir as toTravel,
+  _r as toggleFalse,
+  tl as toggleWipe,
+  X as tool,
+  no as travel,
+  Zt as turn,
+  Kr as typeGroupLevel,
+  Hr as typeLevel,
+  ue as untracked,
   Ve as up,
   Ce as useEffect,
-  bs as useLayoutEffect,
-  te as useRef,
+  xs as useLayoutEffect,
+  ne as useRef,
   Ht as viewName,
-  _e as viewSize,
-  St as views,
-  Va as walkNames,
-  Zo as walking,
-  gr as wantLevel,
-  Qe as what,
-  Zn as whyNot,
-  wr as whyNotTo,
-  Gs as wipeAt
+  ke as viewSize,
+  xt as views,
+  Ka as walkNames,
+  tr as walking,
+  br as wantLevel,
+  xn as what,
+  oo as whyNot,
+  yn as whyNotTo,
+  Zs as wipeAt,
+  Xs as workPlane
 };

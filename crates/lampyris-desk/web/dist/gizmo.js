@@ -1,66 +1,66 @@
 // src/later/actions.ts
 import {
-  adding as hl,
-  asked as gl,
-  ask as fl,
-  back as bl,
-  candles as oa,
-  chosenLamps as pe,
-  clearSolo as vl,
-  command as nn,
-  compareHeld as yl,
-  copyText as kl,
-  DEFAULT_FALSE as wl,
-  deselect as xl,
-  each as ln,
-  edit as rn,
-  exposeBy as la,
-  falseColor as Ml,
-  fine as ra,
-  forth as Sl,
-  frameSelection as Cl,
-  go as $l,
-  goHome as Ll,
-  goInside as Pl,
-  goPreset as Tl,
-  handles as ia,
-  hands as El,
-  here as Vl,
-  highlight as Al,
-  history as sa,
-  lampMarks as ua,
-  lamps as ft,
-  listing as ca,
-  lookOnly as pa,
-  looks as Il,
-  panels as ma,
-  PRESETS as ql,
-  register as Rl,
-  say as Ze,
-  scene as Fl,
-  selection as va,
-  send as Hl,
-  sheet as Qe,
-  show as an,
-  soloSelection as Nl,
-  spot as Ye,
-  startTool as ke,
-  stepSelection as da,
-  storeLook as Dl,
-  storeView as Ol,
-  theme as ha,
-  things as ga,
-  titleOf as ya,
-  toggleFalse as Wl,
-  toggleWipe as Gl,
-  travel as fa,
-  views as Kl,
-  walking as on,
-  whyNot as Q
+  adding as Ei,
+  asked as Ii,
+  ask as Ai,
+  back as Ri,
+  candles as Jo,
+  chosenLamps as de,
+  clearSolo as qi,
+  command as Sn,
+  compareHeld as Fi,
+  copyText as Hi,
+  DEFAULT_FALSE as Ni,
+  deselect as Di,
+  each as Ln,
+  edit as Tn,
+  exposeBy as ea,
+  falseColor as Gi,
+  fine as ta,
+  forth as Oi,
+  frameSelection as Wi,
+  go as Ki,
+  goHome as Bi,
+  goInside as Ui,
+  goPreset as _i,
+  hands as Xi,
+  here as Yi,
+  highlight as zi,
+  history as na,
+  lampMarks as oa,
+  lamps as It,
+  listing as aa,
+  lookOnly as la,
+  looks as ji,
+  maintenance as Zi,
+  panels as ra,
+  PRESETS as Qi,
+  register as Ji,
+  say as ot,
+  scene as es,
+  selection as ma,
+  send as ts,
+  sheet as tt,
+  show as Cn,
+  soloSelection as ns,
+  spot as nt,
+  startTool as Se,
+  stepSelection as ia,
+  storeLook as os,
+  storeView as as,
+  theme as sa,
+  things as ua,
+  titleOf as da,
+  toggleFalse as ls,
+  toggleWipe as rs,
+  travel as ca,
+  views as is,
+  walking as $n,
+  whyNot as _
 } from "./desk.js";
 
 // src/later/differ.ts
-var ct = (e) => ({
+var ft = (e) => ({
   quantity: "difference",
   against: e,
   low: -500,
@@ -69,201 +69,568 @@ var ct = (e) => ({
   palette: "diverging",
   lines: !1
 });
-function Qn(e) {
+function go(e) {
   let t = Math.min(1e6, Math.max(0.01, e.high));
   return { ...e, low: -t, high: t, scale: "linear" };
 }
 
-// src/later/most.ts
-import { signal as nl } from "./desk.js";
-var $e = nl(1);
+// src/later/grouping.ts
+import { chosenLamps as et, groups as St, lamps as kr, selection as Ct, step as Po, titleOf as Vo } from "./desk.js";
 
 // src/later/tools.ts
 import {
-  add as Le,
-  adding as al,
-  chosenLamps as Yn,
-  cross as ol,
-  distance as ll,
-  dot as Yt,
-  edit as pt,
-  effect as rl,
-  free as ta,
-  grids as Zn,
-  lamps as Pe,
-  meters as Jn,
-  normal as Zt,
-  onTool as il,
-  positionOf as sl,
-  say as mt,
-  scale as ce,
-  select as ul,
-  step as Jt,
-  sub as dt,
-  titleOf as ht,
-  tool as ye,
-  up as na
+  add as yt,
+  adding as rr,
+  chosenLamps as wo,
+  distance as ir,
+  dot as sr,
+  edit as kt,
+  effect as ur,
+  free as Co,
+  grids as xo,
+  lamps as Ee,
+  meters as Mo,
+  normal as $o,
+  onTool as cr,
+  positionOf as pr,
+  say as wt,
+  scale as vt,
+  select as mr,
+  step as vn,
+  sub as yn,
+  titleOf as xt,
+  tool as ke,
+  untracked as dr,
+  up as Lo,
+  workPlane as hr
 } from "./desk.js";
-var Ue = null;
-rl(() => {
-  ye.value !== "grid" && (Ue = null);
-});
-function cl(e) {
-  if (!e) return mt("There is nothing at that point.", "warn");
-  switch (ye.peek()) {
-    case "aim":
-      _e(Yn.peek(), e.point), ye.value = null;
-      break;
-    case "place":
-      pl(Yn.peek(), e), ye.value = null;
-      break;
-    case "meter":
-      je(e.point, e.normal), ye.value = null;
-      break;
-    case "grid":
-      if (!Ue) {
-        Ue = e;
-        return;
-      }
-      ml(Ue.point, e.point), Ue = null, ye.value = null;
-      break;
-    case "add":
-      dl(al.peek(), e), ye.value = null;
-      break;
-  }
-}
-il(cl);
-function _e(e, t) {
-  let n = {};
-  for (let a of e) {
-    let o = Pe.get(a)?.place;
-    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Zt(dt(t, o.position)) } });
-  }
-  if (!Object.keys(n).length) return mt("What is selected shines into all directions: it cannot be aimed.", "warn");
-  pt(`Aim ${ht(e)}`, { lamps: n });
-}
-function en(e, t) {
-  let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
-    let r = o.filter((l) => !n.has(l));
-    r.length && (ul(t, r[r.length - 1]), queueMicrotask(() => a()));
-  });
-  setTimeout(() => a(), 3e3);
-}
-function pl(e, t) {
-  let n = Xe(e), a = n.get(e[e.length - 1]);
-  if (!a) return mt("What is selected has no place.", "warn");
-  let o = (Pe.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
-  pt(`Put ${ht(e)} on a surface`, ze(e, dt(Le(t.point, ce(t.normal, o)), a), n));
-}
-function je(e, t) {
-  let n = ta(Jn);
-  en(Jn, "meter"), pt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
-}
-function tn(e) {
+
+// src/later/area.ts
+import { ask as zl, camera as jl, cross as Zl, dot as ye, effect as bo, add as fn, normal as Ql, scale as Ve, scene as vo, selection as Jl, signal as er, sub as tr, tool as nr } from "./desk.js";
+var or = 0.5, ar = 0.3;
+function lr(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
-function ml(e, t, n = { lux: 500, uniformity: 0.6 }) {
-  let a = na.peek(), o = Math.abs(a[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Zt(ol(a, o)), l = dt(t, e), [i, u] = [Yt(l, o), Yt(l, r)];
-  if (Math.abs(i) < 0.05 || Math.abs(u) < 0.05) return mt("An area needs two corners that lie apart.", "warn");
-  let s = Le(e, Le(ce(o, Math.min(i, 0)), ce(r, Math.min(u, 0))));
-  [i, u] = [Math.abs(i), Math.abs(u)];
-  let m = (b) => Math.max(1, Math.ceil(b / tn(Math.max(i, u)))), p = ta(Zn);
-  en(Zn, "grid"), pt("Lay a grid", {
-    grids: {
-      [p]: {
-        name: `Area ${p + 1}`,
-        corner: s,
-        u: ce(o, i),
-        v: ce(r, u),
-        normal: a,
-        columns: m(i),
-        rows: m(u),
-        target: n
+var gt = (e, t = 0) => e > 2 * t ? e - 2 * t : e;
+function bn(e) {
+  let [t, n] = [Math.min(...e), Math.max(...e)], o = n >= 2 * t ? t : n, a = o / Math.max(1, Math.round(o / lr(o)));
+  return e.map((l) => Math.max(1, Math.round(l / a)));
+}
+function yo(e, t, n, o, a) {
+  let l = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Ql(Zl(n, l)), s = tr(t.point, e.point), [p, i] = [ye(s, l), ye(s, r)];
+  if (Math.abs(p) < 0.05 || Math.abs(i) < 0.05) return null;
+  let m = (ee) => ye(ee, n) - o, c = [e, t].every((ee) => ye(ee.normal, n) > 0.7 && m(ee.point) > ar), g = c ? 0 : or, u = c ? 0 : a - m(e.point), h = fn(fn(e.point, Ve(n, u)), fn(Ve(l, Math.min(p, 0)), Ve(r, Math.min(i, 0)))), v = [Math.abs(p), Math.abs(i)], [E, H] = bn(v.map((ee) => gt(ee, g)));
+  return { corner: h, u: Ve(l, v[0]), v: Ve(r, v[1]), normal: n, columns: E, rows: H, border: g };
+}
+var ko = er(null);
+function bt() {
+  let e = vo.value;
+  return ko.value ?? (e ? Math.min(ye(e.bounds[0], e.up), ye(e.bounds[1], e.up)) : 0);
+}
+var gn = null;
+bo(() => {
+  let e = jl.value;
+  e && !e.height && (gn = e.eye);
+});
+bo(() => {
+  let e = vo.value?.up;
+  !e || !gn || nr.value !== "grid" && Jl.value?.kind !== "grid" || zl("ray", { origin: gn, direction: Ve(e, -1) }, (t) => {
+    t.hit && (ko.value = ye(t.point, e));
+  });
+});
+
+// src/later/tools.ts
+var Ye = null, fr = { lux: 500, uniformity: 0.6 };
+ur(() => {
+  ke.value !== "grid" && (Ye = null);
+});
+function gr(e) {
+  if (!e) return wt("There is nothing at that point.", "warn");
+  switch (ke.peek()) {
+    case "aim":
+      ze(wo.peek(), e.point), ke.value = null;
+      break;
+    case "place":
+      br(wo.peek(), e), ke.value = null;
+      break;
+    case "meter":
+      Ze(e.point, e.normal), ke.value = null;
+      break;
+    case "grid":
+      if (!Ye) {
+        Ye = e;
+        return;
       }
-    }
-  });
-}
-var ea = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function dl(e, t) {
-  let n = na.peek(), a = Yt(t.normal, n), o = a > 0.7 ? Le(t.point, ce(n, 1.2)) : Le(t.point, ce(t.normal, 0.15)), r = a > 0.7 || a < -0.7 ? ce(n, -1) : t.normal, l = { position: o };
-  e !== "point" && e !== "sphere" && (l.direction = r), e === "spot" && Object.assign(l, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (l.radius = 0.15), e === "sphere" && (l.radius = 0.08);
-  let i = Pe.all().filter(([, u]) => u.own).length;
-  en(Pe, "lamp"), Jt(`Add ${ea[e]?.toLowerCase() ?? e} lamp`, {
-    do: "add",
-    lamp: { name: `${ea[e] ?? e} ${i + 1}`, kind: e, flux: 800, place: l }
-  });
-}
-function gt(e, t, n) {
-  !e.length || t < 1 || Jt(`Copy ${ht(e)}`, { do: "copy", lamps: e, count: t, step: n });
-}
-function aa(e) {
-  e.length && Jt(`Remove ${ht(e)}`, { do: "remove", lamps: e });
-}
-function ze(e, t, n) {
-  let a = {};
-  for (let o of e) {
-    let r = Pe.get(o)?.place, l = n.get(o);
-    if (!l) continue;
-    let i = Le(l, t), u = r?.aim && ll(r.aim, i) > 1e-6 ? { direction: Zt(dt(r.aim, i)) } : {};
-    a[o] = { place: { position: i, ...u } };
+      vr(Ye, e), Ye = null, ke.value = null;
+      break;
+    case "add":
+      yr(rr.peek(), e), ke.value = null;
+      break;
   }
-  return { lamps: a };
 }
-function Xe(e) {
+cr(gr);
+function ze(e, t) {
+  let n = {};
+  for (let o of e) {
+    let a = Ee.get(o)?.place;
+    !a?.position || !a.direction || (n[o] = { place: { aim: t, direction: $o(yn(t, a.position)) } });
+  }
+  if (!Object.keys(n).length) return wt("What is selected shines into all directions: it cannot be aimed.", "warn");
+  kt(`Aim ${xt(e)}`, { lamps: n });
+}
+function je(e, t) {
+  let n = new Set(e.ids.peek()), o = e.ids.subscribe((a) => {
+    let l = a.filter((r) => !n.has(r));
+    l.length && (mr(t, l[l.length - 1]), queueMicrotask(() => o()));
+  });
+  setTimeout(() => o(), 3e3);
+}
+function br(e, t) {
+  let n = Je(e), o = n.get(e[e.length - 1]);
+  if (!o) return wt("What is selected has no place.", "warn");
+  let a = (Ee.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
+  kt(`Put ${xt(e)} on a surface`, Qe(e, yn(yt(t.point, vt(t.normal, a)), o), n));
+}
+function Ze(e, t) {
+  let n = Co(Mo);
+  je(Mo, "meter"), kt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+}
+function vr(e, t) {
+  let n = yo(e, t, Lo.peek(), dr(bt), hr.peek());
+  if (!n) return wt("An area needs two corners that lie apart.", "warn");
+  let o = Co(xo);
+  je(xo, "grid"), kt("Lay a grid", { grids: { [o]: { name: `Area ${o + 1}`, ...n, target: fr } } });
+}
+var So = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function yr(e, t) {
+  let n = Lo.peek(), o = sr(t.normal, n), a = o > 0.7 ? yt(t.point, vt(n, 1.2)) : yt(t.point, vt(t.normal, 0.15)), l = o > 0.7 || o < -0.7 ? vt(n, -1) : t.normal, r = { position: a };
+  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
+  let s = Ee.all().filter(([, p]) => p.own).length;
+  je(Ee, "lamp"), vn(`Add ${So[e]?.toLowerCase() ?? e} lamp`, {
+    do: "add",
+    lamp: { name: `${So[e] ?? e} ${s + 1}`, kind: e, flux: 800, place: r }
+  });
+}
+function Mt(e, t, n) {
+  !e.length || t < 1 || vn(`Copy ${xt(e)}`, { do: "copy", lamps: e, count: t, step: n });
+}
+function To(e) {
+  e.length && vn(`Remove ${xt(e)}`, { do: "remove", lamps: e });
+}
+function Qe(e, t, n) {
+  let o = {};
+  for (let a of e) {
+    let l = Ee.get(a)?.place, r = n.get(a);
+    if (!r) continue;
+    let s = yt(r, t), p = l?.aim && ir(l.aim, s) > 1e-6 ? { direction: $o(yn(l.aim, s)) } : {};
+    o[a] = { place: { position: s, ...p } };
+  }
+  return { lamps: o };
+}
+function Je(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = Pe.get(n), o = a && sl(a);
-    o && t.set(n, o);
+    let o = Ee.get(n), a = o && pr(o);
+    a && t.set(n, a);
   }
   return t;
 }
 
+// src/later/grouping.ts
+var Eo = (e) => {
+  let t = kr.get(e)?.group ?? null;
+  return t !== null && (St.get(t)?.lamps.length ?? 0) > 1 ? t : null;
+};
+function $t() {
+  return et.value.length < 2 ? "Select two lamps or more first." : Ct.value?.kind === "group" && Ct.value.ids.length === 1 ? "This is a group already." : null;
+}
+function Io() {
+  let e = new Set(St.all().map(([, n]) => n.name)), t = 1;
+  for (; e.has(`Group ${t}`); ) t++;
+  je(St, "group"), Po(`Group ${Vo(et.peek())}`, { do: "group", lamps: et.peek(), name: `Group ${t}` });
+}
+function Lt() {
+  return et.value.some((e) => Eo(e) !== null) ? null : "What is selected is in no group.";
+}
+function Ao() {
+  let e = Ct.peek(), t = et.peek().filter((o) => Eo(o) !== null), n = e?.kind === "group" && e.ids.length === 1 ? St.get(e.ids[0]) : void 0;
+  Po(n ? `Dissolve ${n.name}` : `Take ${Vo(t)} out`, { do: "group", lamps: t }), Ct.value = { kind: "lamp", ids: t };
+}
+
+// src/later/most.ts
+import { signal as wr } from "./desk.js";
+var Ie = wr(1);
+
+// src/later/there.ts
+import { add as xr, dot as Ro, go as Mr, here as Sr, moved as Cr, scale as $r, spot as Lr, sub as Tr, up as Pr, walking as Vr, EYE_HEIGHT as Er } from "./desk.js";
+var Ir = 1.2;
+function Ar(e, t, n) {
+  let o = Tr(n.point, e.eye);
+  return e.height || Ro(n.normal, t) < 0.9 || Ro(o, t) > -Ir ? null : Cr(e, xr(o, $r(t, Er)));
+}
+function qo() {
+  let [e, t] = [Sr(), Lr.value];
+  return e && t && Vr.value === "walk" ? Ar(e, Pr.value, t) : null;
+}
+var Fo = () => qo() ? null : "Point at the floor first, walking.";
+function Ho() {
+  let e = qo();
+  e && Mr(e, "there");
+}
+
+// src/later/typed.tsx
+import { effect as di, handles as hi, keysFirst as fi, role as gi, say as bi, scale as vi, selection as yi, signal as ki, tool as wi, untracked as xi } from "./desk.js";
+
+// src/later/handles.tsx
+import {
+  add as Ko,
+  chosenLamps as Wr,
+  computed as xn,
+  editor as Kr,
+  effect as Br,
+  fitted as Ur,
+  Gesture as _r,
+  handles as Xr,
+  lamps as Pt,
+  lookOnly as Yr,
+  middle as zr,
+  nameOf as jr,
+  normal as Zr,
+  pinhole as Qr,
+  positionOf as Uo,
+  role as Jr,
+  selection as ei,
+  shown as ti,
+  sub as ni,
+  things as Vt,
+  titleOf as oi,
+  tool as ai,
+  turn as Bo,
+  useEffect as li,
+  useRef as ri,
+  viewSize as ii
+} from "./desk.js";
+
+// src/later/gizmo.ts
+import { project as No, ray as Rr } from "./desk.js";
+import { across as qr, add as re, cross as Fr, distance as Hr, dot as me, length as Nr, normal as kn, scale as ie, sub as Ae } from "./desk.js";
+var Dr = "http://www.w3.org/2000/svg", wn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Tt = ["x", "y", "z"], Do = 0.1, Gr = 5 * Math.PI / 180, Go = 48;
+function Wo(e, t) {
+  let n = (d, b, k) => {
+    let w = document.createElementNS(Dr, d);
+    return w.setAttribute("class", k), b.append(w), w;
+  }, o = (d, b, k) => {
+    let w = n("g", e, `handle ${d} ${Tt[b] ?? ""}`);
+    return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
+  }, a = n("path", e, "aim-line"), l = we.map((d, b) => o("ring", b, `ring-${Tt[b]}`)), r = we.map((d, b) => o("plane", b, `plane-${Tt[b]}`)), s = we.map((d, b) => o("arrow", b, `move-${Tt[b]}`)), p = o("centre", -1, "move-view"), i = o("aim", -1, "aim"), m = n("text", e, "handle-text"), c = (d, b) => {
+    let [k, w, I] = No(d.hole, b);
+    return I < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
+  }, g = (d, b) => {
+    let k = No(d.hole, b)[2];
+    return wn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
+  }, u = (d, b, k = !1) => {
+    let w = b.filter(($) => $ !== null), I = w.length < b.length || w.length < 2 ? "" : `M${w.map(($) => `${$[0].toFixed(1)} ${$[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
+    d.setAttribute("d", I);
+  }, h = (d, b, k) => {
+    d.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
+  }, v = (d, b) => d.forEach((k) => k.group.classList.toggle("gone", !b));
+  function E(d, b) {
+    let k = d.position, w = c(b, k), I = g(b, k), $ = d.mode === "move";
+    v([...s, ...r, p], $ && w !== null), v(l, !$ && w !== null && d.turns);
+    let z = d.aim ?? (d.direction ? re(k, ie(d.direction, 3 * I)) : null);
+    if (v([i], z !== null && w !== null), !w) {
+      a.setAttribute("d", "");
+      return;
+    }
+    we.forEach((O, U) => {
+      let q = c(b, re(k, ie(O, I))), mt = q ? Math.hypot(q[0] - w[0], q[1] - w[1]) < 12 : !0;
+      if (s[U].group.classList.toggle("gone", !$ || mt), q && $) {
+        let [ve, _e] = [(q[0] - w[0]) / wn, (q[1] - w[1]) / wn], ht = Math.hypot(ve, _e) || 1, [pe, Xe] = [ve / ht, _e / ht], hn = [w[0] + 14 * pe, w[1] + 14 * Xe];
+        u(s[U].hit, [hn, q]), s[U].seen.setAttribute("d", `M${hn[0].toFixed(1)} ${hn[1].toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}M${(q[0] - 9 * pe - 4.5 * Xe).toFixed(1)} ${(q[1] - 9 * Xe + 4.5 * pe).toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}L${(q[0] - 9 * pe + 4.5 * Xe).toFixed(1)} ${(q[1] - 9 * Xe - 4.5 * pe).toFixed(1)}`);
+      }
+      let [Be, Ue] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, b.hole.parallel ? b.hole.forward : kn(Ae(k, b.hole.eye)))) < 0.15;
+      r[U].group.classList.toggle("gone", !$ || Z);
+      let dt = (ve, _e) => c(b, re(k, re(ie(Be, ve * I), ie(Ue, _e * I)))), fo = [dt(0.3, 0.3), dt(0.5, 0.3), dt(0.5, 0.5), dt(0.3, 0.5)];
+      if (u(r[U].hit, fo, !0), u(r[U].seen, fo, !0), !$) {
+        let ve = Array.from({ length: Go + 1 }, (_e, ht) => {
+          let pe = 2 * Math.PI * ht / Go;
+          return c(b, re(k, re(ie(Be, Math.cos(pe) * I), ie(Ue, Math.sin(pe) * I))));
+        });
+        u(l[U].hit, ve), u(l[U].seen, ve);
+      }
+    }), h(p.hit, w, 13), h(p.seen, w, 7);
+    let R = z && c(b, z);
+    u(a, [w, R]), h(i.hit, R, 16), i.seen.setAttribute("d", R ? `M${R[0] - 8} ${R[1]}h16M${R[0]} ${R[1] - 8}v16M${R[0] - 5} ${R[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+  }
+  let H = t.effect(() => {
+    let d = t.target.value, b = t.view.value;
+    e.classList.toggle("empty", !d || !b), d && b && E(d, b);
+  }), ee = (d, b, k) => Rr(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
+  function be(d, b, k) {
+    d.addEventListener("pointerdown", (w) => {
+      if (w.button !== 0) return;
+      w.preventDefault(), w.stopPropagation();
+      let I = t.view.peek();
+      if (!I || !t.target.peek()) return;
+      let $ = e.getBoundingClientRect(), z = k(I), R = t.hold(b), O = ee(I, w, $);
+      z(O, !1, { ...R, move: () => {
+      }, turn: () => {
+      }, rotate: () => {
+      } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
+      let U = (Z) => {
+        m.textContent = z(ee(I, Z, $), Z.ctrlKey || Z.metaKey, R), m.setAttribute("x", String(Z.clientX - $.left + 16)), m.setAttribute("y", String(Z.clientY - $.top - 12));
+      }, q = (Z) => {
+        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", mt), d.removeEventListener("pointercancel", Be), removeEventListener("keydown", Ue, !0), d.classList.remove("held"), m.textContent = "", Z ? R.end() : R.cancel();
+      }, mt = () => q(!0), Be = () => q(!1), Ue = (Z) => {
+        Z.key === "Escape" && (Z.stopPropagation(), q(!1));
+      };
+      d.addEventListener("pointermove", U), d.addEventListener("pointerup", mt), d.addEventListener("pointercancel", Be), addEventListener("keydown", Ue, !0);
+    });
+  }
+  let mn = (d, b, k) => k ? Math.round(d / b) * b : d, dn = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
+  we.forEach((d, b) => {
+    be(s[b].group, "move", () => {
+      let k = t.target.peek().position, w = null;
+      return (I, $, z) => {
+        let R = Or(k, d, I);
+        w ??= R;
+        let O = ie(d, mn(R - w, Do, $));
+        return z.move(O), dn(O);
+      };
+    }), be(r[b].group, "move", () => mo(d)), be(l[b].group, "turn", () => {
+      let k = t.target.peek(), w = { at: null };
+      return (I, $, z) => {
+        let R = Oo(k.position, d, I), O = R && kn(Ae(R, k.position), qr(d));
+        if (!O) return "";
+        w.at ??= O;
+        let U = Math.atan2(me(d, Fr(w.at, O)), me(w.at, O)), q = mn(U, Gr, $);
+        return z.rotate(d, q), `${(q * 180 / Math.PI).toFixed(1)}°`;
+      };
+    });
+  }), be(p.group, "move", (d) => mo(d.hole.forward)), be(i.group, "aim", (d) => {
+    let b = t.target.peek(), k = b.aim ?? re(b.position, ie(b.direction, 3 * g(d, b.position))), w = ho(k, d.hole.forward);
+    return (I, $, z) => {
+      let R = w(I, $), O = re(k, R);
+      return Hr(O, b.position) > 1e-3 && z.turn(kn(Ae(O, b.position)), O), dn(O);
+    };
+  });
+  function mo(d) {
+    let b = ho(t.target.peek().position, d);
+    return (k, w, I) => {
+      let $ = b(k, w);
+      return I.move($), dn($);
+    };
+  }
+  function ho(d, b) {
+    let k = null;
+    return (w, I) => {
+      let $ = Oo(d, b, w);
+      return $ ? (k ??= $, Ae($, k).map((z) => mn(z, Do, I))) : [0, 0, 0];
+    };
+  }
+  return { stop: H };
+}
+function Or(e, t, n) {
+  let o = Ae(e, n.origin), a = me(t, n.direction), l = 1 - a * a;
+  return l < 1e-6 ? 0 : (a * me(n.direction, o) - me(t, o)) / l;
+}
+function Oo(e, t, n) {
+  let o = me(t, n.direction);
+  if (Math.abs(o) < 1e-4 * Nr(t)) return null;
+  let a = me(Ae(e, n.origin), t) / o;
+  return a < 0 || a > 1e6 ? null : re(n.origin, ie(n.direction, a));
+}
+
+// src/later/handles.tsx
+import { jsx as mi } from "./desk.js";
+function si([e, t, n, o], [a, l, r, s]) {
+  return [
+    o * a + e * s + t * r - n * l,
+    o * l - e * r + t * s + n * a,
+    o * r + e * l - t * a + n * s,
+    o * s - e * a - t * l - n * r
+  ];
+}
+var ui = () => !Yr.value && Jr.value !== "watch" && Kr.value.you && ai.value !== "aim", _o = xn(() => {
+  let e = ei.value;
+  if (!e || !ui()) return null;
+  if (e.kind === "thing") {
+    let n = e.ids.filter((o) => Vt.get(o) && !Vt.get(o)?.locked);
+    return n.length ? { kind: "things", ids: n } : null;
+  }
+  let t = Wr.value.filter((n) => Uo(Pt.get(n)));
+  return t.length ? { kind: "lamps", ids: t } : null;
+}), Xo = (e) => {
+  let t = Vt.get(e);
+  return t?.place?.position ?? (t?.box ? zr(t.box) : null);
+}, Yo = xn(() => {
+  let e = _o.value;
+  if (!e) return null;
+  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Uo(Pt.get(t)) : Xo(t);
+  if (!n) return null;
+  let o = e.kind === "lamps" ? Pt.get(t)?.place : null;
+  return {
+    position: n,
+    direction: o?.direction ?? null,
+    aim: o?.aim ?? null,
+    turns: e.kind === "things" || !!o?.direction || !!o?.rotation,
+    mode: Xr.value
+  };
+}), ci = xn(() => {
+  let e = ti.value;
+  if (ii.value, !e) return null;
+  let { width: t, height: n } = e.head;
+  return { hole: Qr(e.camera, t, n), fit: Ur(t, n) };
+}), zo = {
+  effect: Br,
+  target: Yo,
+  view: ci,
+  hold(e) {
+    let t = _o.peek(), n = t?.ids ?? [], o = t?.kind ?? "lamps", a = o === "lamps" ? oi(n) : n.length === 1 ? jr("thing", n[0]) : `${n.length} things`, l = new _r(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${a}`), r = o === "lamps" ? Je(n) : new Map(n.map((i) => [i, Xo(i)])), s = new Map(n.map((i) => [i, (o === "lamps" ? Pt : Vt).get(i)?.place])), p = (i) => {
+      let m = n.map((c) => [c, i(c)]).filter(([, c]) => c);
+      l.set({ [o]: Object.fromEntries(m.map(([c, g]) => [c, { place: g }])) });
+    };
+    return {
+      move: (i) => o === "lamps" ? l.set(Qe(n, i, r)) : p((m) => ({ position: Ko(r.get(m), i) })),
+      turn: (i, m) => p((c) => s.get(c)?.direction ? { direction: i, ...m ? { aim: m } : {} } : null),
+      rotate: (i, m) => p((c) => {
+        let g = s.get(c);
+        if (g?.direction) {
+          let v = Zr(Bo(g.direction, i, m)), E = g.aim && g.position ? Bo(ni(g.aim, g.position), i, m) : null;
+          return { direction: v, ...E ? { aim: Ko(g.position, E) } : {} };
+        }
+        let u = Math.sin(m / 2), h = [i[0] * u, i[1] * u, i[2] * u, Math.cos(m / 2)];
+        return { rotation: si(h, g?.rotation ?? [0, 0, 0, 1]) };
+      }),
+      end: () => l.end(),
+      cancel: () => l.cancel()
+    };
+  }
+}, jo = (e) => Yo.peek() ? zo.hold(e) : null;
+function pi() {
+  let e = ri(null);
+  return li(() => Wo(e.current, zo).stop, []), mi("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+}
+
+// src/later/typed.tsx
+import { jsx as Vi, jsxs as Qo } from "./desk.js";
+var Mi = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Si = { Minus: "-", NumpadSubtract: "-", Period: ".", Comma: ".", NumpadDecimal: "." }, Zo = { Enter: "keep", Escape: "leave", Backspace: "back" };
+function Ci({ key: e, code: t }) {
+  if (Zo[e]) return { does: Zo[e] };
+  let n = e.length === 1 ? "xyz".indexOf(e.toLowerCase()) : -1;
+  if (n >= 0) return { axis: n };
+  if (/^\d$/.test(e)) return { sign: e };
+  if (/^[.,]$/.test(e)) return { sign: "." };
+  if (/^[-−]$/.test(e)) return { sign: "-" };
+  if (/^[a-z]$/i.test(e)) return {};
+  let o = ["KeyX", "KeyY", "KeyZ"].indexOf(t);
+  if (o >= 0) return { axis: o };
+  let a = /^(?:Digit|Numpad)(\d)$/.exec(t)?.[1] ?? Si[t];
+  return a ? { sign: a } : {};
+}
+function $i(e, t) {
+  return t === "-" ? e.startsWith("-") ? e.slice(1) : `-${e}` : t === "." && e.includes(".") ? e : e.length < 9 ? e + t : e;
+}
+var Li = (e) => Number(e) || 0, Re = ki(null), Me = null;
+function Mn(e) {
+  xe(!0), hi.value = e, wi.value = null, Re.value = { what: e, axis: null, text: "" };
+}
+function xe(e) {
+  Re.peek() && (Re.value = null, e ? Me?.end() : Me?.cancel(), Me = null);
+}
+function Et(e) {
+  Re.value = e;
+  let t = Mi[e.axis ?? 0], n = Li(e.text);
+  e.what === "move" ? Me?.move(vi(t, n)) : Me?.rotate(t, n * Math.PI / 180);
+}
+function Ti(e) {
+  let t = Re.peek();
+  if (!t || e.key === "Shift") return !1;
+  let n = e.ctrlKey || e.metaKey || e.altKey, { axis: o, sign: a, does: l } = n ? {} : Ci(e);
+  if (t.axis === null)
+    return o === void 0 ? (xe(!1), l === "leave") : (Me = jo(t.what), Me ? Et({ ...t, axis: o }) : (xe(!1), bi("Select lamps that have a place, or things that are not locked.", "warn")), !0);
+  if (n)
+    return xe(!0), !1;
+  if (o !== void 0) Et({ ...t, axis: o });
+  else if (a) Et({ ...t, text: $i(t.text, a) });
+  else if (l === "back") Et({ ...t, text: t.text.slice(0, -1) });
+  else if (l) xe(l === "keep");
+  else return e.key.length === 1;
+  return !0;
+}
+fi(Ti);
+addEventListener("pointerdown", (e) => xe(e.button !== 2), !0);
+di(() => {
+  yi.value, xi(() => xe(!0));
+});
+function Pi() {
+  let e = Re.value;
+  if (!e || gi.value === "watch") return null;
+  let t = e.what === "move" ? "Move" : "Turn";
+  return e.axis === null ? Qo("p", { class: "hint", role: "status", children: [
+    t,
+    ": X, Y or Z, then ",
+    e.what === "move" ? "metres" : "degrees",
+    "; or drag a handle."
+  ] }) : Qo("p", { class: "hint", role: "status", children: [
+    t,
+    " ",
+    e.what === "move" ? "along" : "about",
+    " ",
+    "XYZ"[e.axis],
+    ": ",
+    Vi("b", { children: e.text || "0" }),
+    e.what === "move" ? " m" : "°",
+    ". Enter keeps it, Esc takes it back."
+  ] });
+}
+
 // src/later/actions.ts
-var oe = () => Q() ?? (pe.value.length ? null : "Select a lamp first.");
-function Bl() {
-  let e = pe.peek(), t = !e.some((n) => ft.get(n)?.on);
-  rn(`${ya(e)} ${t ? "on" : "off"}`, { lamps: ln(e, { on: t }) });
+var se = () => _() ?? (de.value.length ? null : "Select a lamp first.");
+function ss() {
+  let e = de.peek(), t = !e.some((n) => It.get(n)?.on);
+  Tn(`${da(e)} ${t ? "on" : "off"}`, { lamps: Ln(e, { on: t }) });
 }
-function Ul() {
-  let e = pe.peek(), t = !e.every((n) => ft.get(n)?.parked);
-  rn(`${t ? "Park" : "Unpark"} ${ya(e)}`, { lamps: ln(e, { parked: t }) });
+function us() {
+  let e = de.peek(), t = !e.every((n) => It.get(n)?.parked);
+  Tn(`${t ? "Park" : "Unpark"} ${da(e)}`, { lamps: Ln(e, { parked: t }) });
 }
-function ba(e) {
-  let t = va.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : ga.ids.peek().filter((a) => ga.get(a)?.hidden);
-  if (!n.length) return Ze(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  rn(e ? "Hide things" : "Show hidden things", { things: ln(n, { hidden: e }) });
+function pa(e) {
+  let t = ma.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : ua.ids.peek().filter((o) => ua.get(o)?.hidden);
+  if (!n.length) return ot(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  Tn(e ? "Hide things" : "Show hidden things", { things: Ln(n, { hidden: e }) });
 }
-function _l() {
-  let e = pe.peek()[0], t = ft.get(e)?.place, n = Vl();
-  if (!t?.position || !t.direction || !n) return Ze("Select a lamp that has a direction.", "warn");
-  let { position: a, direction: o } = t;
-  $l({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+function cs() {
+  let e = de.peek()[0], t = It.get(e)?.place, n = Yi();
+  if (!t?.position || !t.direction || !n) return ot("Select a lamp that has a direction.", "warn");
+  let { position: o, direction: a } = t;
+  Ki({ ...n, eye: o, target: [o[0] + a[0], o[1] + a[1], o[2] + a[2]], height: null, near: null }, "from the lamp");
 }
-function jl() {
-  fl("command", {}, (e) => {
-    kl(e.text);
+function ps() {
+  Ai("command", {}, (e) => {
+    Hi(e.text);
   });
 }
-var zl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Xl = {
+var ms = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], ds = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Ql = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: Cl },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: Ll },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: Pl },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: bl },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: Sl },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: Ol, why: Q },
-  ...ql.map((e, t) => ({
+}, hs = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: Wi },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: Bi },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: Ui },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: Ri },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: Oi },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: as, why: _ },
+  ...Qi.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: Xl[e],
+    label: ds[e],
     keys: `Shift+${t + 1}`,
-    run: () => Tl(e)
+    run: () => _i(e)
   })),
   {
     id: "walking",
@@ -271,54 +638,57 @@ var zl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      on.value = on.peek() === "walk" ? "fly" : "walk", Ze(on.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      $n.value = $n.peek() === "walk" ? "fly" : "walk", ot($n.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: _l, why: oe },
-  { id: "next", group: "Select", label: "Next", keys: "]", run: () => da(1) },
-  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => da(-1) },
-  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => ke("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => va.value = { kind: "lamp", ids: ft.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: xl },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: Bl, why: oe },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: Nl, why: () => pe.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: vl },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => Al(!0), why: oe },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Ul, why: oe },
-  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => ke("aim"), why: oe },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => Ye.peek() && _e(pe.peek(), Ye.peek().point), why: oe },
-  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => ke("place"), why: oe },
-  { id: "move", group: "Lamps", label: "Handles to move", keys: "G", run: () => ia.value = "move" },
-  { id: "turn", group: "Lamps", label: "Handles to turn", keys: "R", run: () => ia.value = "turn" },
-  ...zl.map(([e, t]) => ({
+  { id: "there", group: "View", label: "Go to the floor under the pointer", keys: "double click", run: Ho, why: Fo },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: cs, why: se },
+  { id: "next", group: "Select", label: "Next", keys: "]", run: () => ia(1) },
+  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ia(-1) },
+  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => Se("marquee") },
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => ma.value = { kind: "lamp", ids: It.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Di },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ss, why: se },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: ns, why: () => de.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: qi },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => zi(!0), why: se },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: us, why: se },
+  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => Se("aim"), why: se },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => nt.peek() && ze(de.peek(), nt.peek().point), why: se },
+  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => Se("place"), why: se },
+  { id: "move", group: "Lamps", label: "Move: handles, or an axis and metres", keys: "G, then X Y Z, 0.5", run: () => Mn("move") },
+  { id: "turn", group: "Lamps", label: "Turn: handles, or an axis and degrees", keys: "R, then X Y Z, 30", run: () => Mn("turn") },
+  ...ms.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
-    why: Q,
+    why: _,
     run: () => {
-      hl.value = e, ke("add");
+      Ei.value = e, Se("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => gt(pe.peek(), 1, [0.5, 0, 0]), why: oe },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => aa(pe.peek()), why: oe },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => ba(!0), why: Q },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => ba(!1), why: Q },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => nn({ do: "undo" }), why: () => Q() ?? (sa.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => nn({ do: "redo" }), why: () => Q() ?? (sa.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => Qe.value = "save", why: Q },
-  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => Qe.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: jl },
-  { id: "share", group: "Work", label: "Share by link", run: () => Qe.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: Wl },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => Mt(de.peek(), 1, [0.5, 0, 0]), why: se },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => To(de.peek()), why: se },
+  { id: "group", group: "Lamps", label: "Group: one master for those selected", keys: "Ctrl+G", run: Io, why: () => _() ?? $t() },
+  { id: "ungroup", group: "Lamps", label: "Dissolve the group, or take lamps out of it", keys: "Ctrl+Shift+G", run: Ao, why: () => _() ?? Lt() },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => pa(!0), why: _ },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => pa(!1), why: _ },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => Sn({ do: "undo" }), why: () => _() ?? (na.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => Sn({ do: "redo" }), why: () => _() ?? (na.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => tt.value = "save", why: _ },
+  { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => tt.value = "picture" },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: ps },
+  { id: "share", group: "Work", label: "Share by link", run: () => tt.value = "share" },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: ls },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = Ml();
-      e.against != null ? an({ false_color: wl }) : an({ false_color: { ...gl(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = Gi();
+      e.against != null ? Cn({ false_color: Ni }) : Cn({ false_color: { ...Ii(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
   {
@@ -326,75 +696,100 @@ var zl = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     group: "Seeing",
     label: "Difference in lux to the look stored last",
     run: () => {
-      let e = Il.ids.peek().at(-1);
-      e === void 0 ? Ze("Store a look first.") : an({ false_color: ct(e) });
+      let e = ji.ids.peek().at(-1);
+      e === void 0 ? ot("Store a look first.") : Cn({ false_color: ft(e) });
     }
   },
-  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => la(1) },
-  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => la(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => Hl({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => yl(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: Gl },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: Q, run: () => Ye.peek() ? je(Ye.peek().point, Ye.peek().normal) : ke("meter") },
-  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => ke("meter"), why: Q },
-  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => ke("grid"), why: Q },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => nn({ do: "reach", most: $e.peek() }), why: Q },
-  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => oa.value = oa.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: Dl, why: Q },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => Ze("Press J, then the digit of the look.") },
-  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => ma.value = !ma.peek() },
-  { id: "listing", group: "Page", label: "Faders or sheet", run: () => ca.value = ca.peek() === "faders" ? "sheet" : "faders" },
-  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => fa.value = fa.peek() === "square" ? "linear" : "square" },
-  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => ua.value = !ua.peek() },
-  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => ra.value = !ra.peek() },
-  { id: "theme", group: "Page", label: "Light or dark", run: () => ha.value = ha.peek() === "dark" ? "light" : "dark" },
-  { id: "lock", group: "Page", label: "Look-only lock", run: () => pa.value = !pa.peek() },
+  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => ea(1) },
+  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => ea(-1) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => ts({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => Fi(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: rs },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: _, run: () => nt.peek() ? Ze(nt.peek().point, nt.peek().normal) : Se("meter") },
+  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => Se("meter"), why: _ },
+  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => Se("grid"), why: _ },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => Sn({ do: "reach", most: Ie.peek(), maintenance: Zi.peek() }), why: _ },
+  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => Jo.value = Jo.peek() === "lx" ? "fc" : "lx" },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: os, why: _ },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => ot("Press J, then the digit of the look.") },
+  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => ra.value = !ra.peek() },
+  { id: "listing", group: "Page", label: "Faders or sheet", run: () => aa.value = aa.peek() === "faders" ? "sheet" : "faders" },
+  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => ca.value = ca.peek() === "square" ? "linear" : "square" },
+  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => oa.value = !oa.peek() },
+  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => ta.value = !ta.peek() },
+  { id: "theme", group: "Page", label: "Light or dark", run: () => sa.value = sa.peek() === "dark" ? "light" : "dark" },
+  { id: "lock", group: "Page", label: "Look-only lock", run: () => la.value = !la.peek() },
   ...["default", "blender", "maya", "trackpad"].map((e) => ({
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => El.value = e
+    run: () => Xi.value = e
   })),
-  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => Qe.value = "help" },
-  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => Qe.value = "palette" }
+  { id: "help", group: "Page", label: "All keys", keys: "?", run: () => tt.value = "help" },
+  { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => tt.value = "palette" }
 ];
-Rl(Ql);
-function bt() {
-  return [...(Fl.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...Kl.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+Ji(hs);
+function At() {
+  return [...(es.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...is.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
-// src/later/compare.tsx
-import { before as Yl, comparing as Zl, digits as Jl, fitted as er, useEffect as tr, useRef as nr, viewSize as ar, wipeAt as sn } from "./desk.js";
-import { Fragment as lr, jsx as un, jsxs as rr } from "./desk.js";
-function or() {
-  let e = Zl.value, t = Yl.value, n = nr(null);
-  if (tr(() => {
-    let s = n.current;
-    !s || !t || (s.width = t.picture.width, s.height = t.picture.height, s.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
-  }, [t, e]), !e || !t) return null;
-  let [a] = ar.value, o = sn.value, r = er(t.picture.width, t.picture.height), l = Math.max(0, Math.min(1, (o * a - r.x) / (t.picture.width * r.scale))), i = (s) => {
-    let m = s.currentTarget;
-    if (s.stopPropagation(), s.type === "pointerdown") m.setPointerCapture(s.pointerId);
-    else if (m.hasPointerCapture(s.pointerId)) {
-      let p = m.parentElement.getBoundingClientRect();
-      sn.value = Math.max(0, Math.min(1, (s.clientX - p.left) / p.width));
-    }
-  }, u = (s) => {
-    let m = { ArrowLeft: -0.02, ArrowRight: 0.02 }[s.key];
-    m && (s.stopPropagation(), s.preventDefault(), sn.value = Math.max(0, Math.min(1, o + m)));
+// src/later/shares.ts
+import { ask as fs, computed as gs, effect as ha, lamps as bs, output as vs, untracked as ys, what as Pn } from "./desk.js";
+var ks = gs(() => Pn.value?.hit ?? null), fa = (e) => fs("light", { point: e.point, normal: e.normal }, (t) => {
+  let n = Pn.peek();
+  n?.hit === e && (Pn.value = {
+    ...n,
+    lux: t.lux ?? n.lux,
+    lamps: t.lamps ?? n.lamps,
+    done: t.done !== !1
+  });
+});
+ha(() => {
+  let e = ks.value;
+  if (!e) return;
+  let t = ys(() => fa(e)), n = null, o = !0, a = ha(() => {
+    for (let [, l] of bs.all()) vs(l);
+    n !== null && clearTimeout(n), o || (n = window.setTimeout(() => {
+      t(), t = fa(e);
+    }, 250)), o = !1;
+  });
+  return () => {
+    t(), a(), n !== null && clearTimeout(n);
   };
-  return rr(lr, { children: [
-    un(
+});
+
+// src/later/compare.tsx
+import { before as ws, comparing as xs, digits as Ms, fitted as Ss, useEffect as Cs, useRef as $s, viewSize as Ls, wipeAt as Vn } from "./desk.js";
+import { Fragment as Ps, jsx as En, jsxs as Vs } from "./desk.js";
+function Ts() {
+  let e = xs.value, t = ws.value, n = $s(null);
+  if (Cs(() => {
+    let i = n.current;
+    !i || !t || (i.width = t.picture.width, i.height = t.picture.height, i.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
+  }, [t, e]), !e || !t) return null;
+  let [o] = Ls.value, a = Vn.value, l = Ss(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (a * o - l.x) / (t.picture.width * l.scale))), s = (i) => {
+    let m = i.currentTarget;
+    if (i.stopPropagation(), i.type === "pointerdown") m.setPointerCapture(i.pointerId);
+    else if (m.hasPointerCapture(i.pointerId)) {
+      let c = m.parentElement.getBoundingClientRect();
+      Vn.value = Math.max(0, Math.min(1, (i.clientX - c.left) / c.width));
+    }
+  }, p = (i) => {
+    let m = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
+    m && (i.stopPropagation(), i.preventDefault(), Vn.value = Math.max(0, Math.min(1, a + m)));
+  };
+  return Vs(Ps, { children: [
+    En(
       "canvas",
       {
         ref: n,
         class: "before",
         "aria-hidden": "true",
-        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * l}% 0 0)` : "none" }
+        style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * r}% 0 0)` : "none" }
       }
     ),
-    un("span", { class: "tag left", children: "before" }),
-    e === "wipe" && un(
+    En("span", { class: "tag left", children: "before" }),
+    e === "wipe" && En(
       "div",
       {
         class: "wipe",
@@ -404,333 +799,154 @@ function or() {
         "aria-label": "Wipe between before and now",
         "aria-valuemin": 0,
         "aria-valuemax": 100,
-        "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${Jl(o * 100)} % before`,
-        style: { left: `${100 * o}%` },
-        onPointerDown: i,
-        onPointerMove: i,
-        onKeyDown: u
+        "aria-valuenow": Math.round(a * 100),
+        "aria-valuetext": `${Ms(a * 100)} % before`,
+        style: { left: `${100 * a}%` },
+        onPointerDown: s,
+        onPointerMove: s,
+        onKeyDown: p
       }
     )
   ] });
 }
 
-// src/later/handles.tsx
-import {
-  add as Ca,
-  chosenLamps as gr,
-  computed as mn,
-  editor as fr,
-  effect as br,
-  fitted as vr,
-  Gesture as yr,
-  handles as kr,
-  lamps as yt,
-  lookOnly as wr,
-  middle as xr,
-  nameOf as Mr,
-  normal as Sr,
-  pinhole as Cr,
-  positionOf as La,
-  role as $r,
-  selection as Lr,
-  shown as Pr,
-  sub as Tr,
-  things as kt,
-  titleOf as Er,
-  tool as Vr,
-  turn as $a,
-  useEffect as Ar,
-  useRef as Ir,
-  viewSize as qr
-} from "./desk.js";
-
-// src/later/gizmo.ts
-import { project as ka, ray as ir } from "./desk.js";
-import { across as sr, add as le, cross as ur, distance as cr, dot as me, length as pr, normal as cn, scale as re, sub as Te } from "./desk.js";
-var mr = "http://www.w3.org/2000/svg", pn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], vt = ["x", "y", "z"], wa = 0.1, dr = 5 * Math.PI / 180, xa = 48;
-function Sa(e, t) {
-  let n = (d, f, k) => {
-    let w = document.createElementNS(mr, d);
-    return w.setAttribute("class", k), f.append(w), w;
-  }, a = (d, f, k) => {
-    let w = n("g", e, `handle ${d} ${vt[f] ?? ""}`);
-    return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, o = n("path", e, "aim-line"), r = we.map((d, f) => a("ring", f, `ring-${vt[f]}`)), l = we.map((d, f) => a("plane", f, `plane-${vt[f]}`)), i = we.map((d, f) => a("arrow", f, `move-${vt[f]}`)), u = a("centre", -1, "move-view"), s = a("aim", -1, "aim"), m = n("text", e, "handle-text"), p = (d, f) => {
-    let [k, w, T] = ka(d.hole, f);
-    return T < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
-  }, b = (d, f) => {
-    let k = ka(d.hole, f)[2];
-    return pn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
-  }, c = (d, f, k = !1) => {
-    let w = f.filter((C) => C !== null), T = w.length < f.length || w.length < 2 ? "" : `M${w.map((C) => `${C[0].toFixed(1)} ${C[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
-    d.setAttribute("d", T);
-  }, g = (d, f, k) => {
-    d.setAttribute("d", f ? `M${f[0] - k} ${f[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
-  }, v = (d, f) => d.forEach((k) => k.group.classList.toggle("gone", !f));
-  function V(d, f) {
-    let k = d.position, w = p(f, k), T = b(f, k), C = d.mode === "move";
-    v([...i, ...l, u], C && w !== null), v(r, !C && w !== null && d.turns);
-    let z = d.aim ?? (d.direction ? le(k, re(d.direction, 3 * T)) : null);
-    if (v([s], z !== null && w !== null), !w) {
-      o.setAttribute("d", "");
-      return;
-    }
-    we.forEach((O, U) => {
-      let q = p(f, le(k, re(O, T))), it = q ? Math.hypot(q[0] - w[0], q[1] - w[1]) < 12 : !0;
-      if (i[U].group.classList.toggle("gone", !C || it), q && C) {
-        let [ve, Ke] = [(q[0] - w[0]) / pn, (q[1] - w[1]) / pn], ut = Math.hypot(ve, Ke) || 1, [ue, Be] = [ve / ut, Ke / ut], Qt = [w[0] + 14 * ue, w[1] + 14 * Be];
-        c(i[U].hit, [Qt, q]), i[U].seen.setAttribute("d", `M${Qt[0].toFixed(1)} ${Qt[1].toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}M${(q[0] - 9 * ue - 4.5 * Be).toFixed(1)} ${(q[1] - 9 * Be + 4.5 * ue).toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}L${(q[0] - 9 * ue + 4.5 * Be).toFixed(1)} ${(q[1] - 9 * Be - 4.5 * ue).toFixed(1)}`);
-      }
-      let [We, Ge] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, f.hole.parallel ? f.hole.forward : cn(Te(k, f.hole.eye)))) < 0.15;
-      l[U].group.classList.toggle("gone", !C || Z);
-      let st = (ve, Ke) => p(f, le(k, le(re(We, ve * T), re(Ge, Ke * T)))), Xn = [st(0.3, 0.3), st(0.5, 0.3), st(0.5, 0.5), st(0.3, 0.5)];
-      if (c(l[U].hit, Xn, !0), c(l[U].seen, Xn, !0), !C) {
-        let ve = Array.from({ length: xa + 1 }, (Ke, ut) => {
-          let ue = 2 * Math.PI * ut / xa;
-          return p(f, le(k, le(re(We, Math.cos(ue) * T), re(Ge, Math.sin(ue) * T))));
-        });
-        c(r[U].hit, ve), c(r[U].seen, ve);
-      }
-    }), g(u.hit, w, 13), g(u.seen, w, 7);
-    let I = z && p(f, z);
-    c(o, [w, I]), g(s.hit, I, 16), s.seen.setAttribute("d", I ? `M${I[0] - 8} ${I[1]}h16M${I[0]} ${I[1] - 8}v16M${I[0] - 5} ${I[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
-  }
-  let B = t.effect(() => {
-    let d = t.target.value, f = t.view.value;
-    e.classList.toggle("empty", !d || !f), d && f && V(d, f);
-  }), _n = (d, f, k) => ir(d.hole, (f.clientX - k.left - d.fit.x) / d.fit.scale, (f.clientY - k.top - d.fit.y) / d.fit.scale);
-  function Oe(d, f, k) {
-    d.addEventListener("pointerdown", (w) => {
-      if (w.button !== 0) return;
-      w.preventDefault(), w.stopPropagation();
-      let T = t.view.peek();
-      if (!T || !t.target.peek()) return;
-      let C = e.getBoundingClientRect(), z = k(T), I = t.hold(f), O = _n(T, w, C);
-      z(O, !1, { ...I, move: () => {
-      }, turn: () => {
-      }, rotate: () => {
-      } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
-      let U = (Z) => {
-        m.textContent = z(_n(T, Z, C), Z.ctrlKey || Z.metaKey, I), m.setAttribute("x", String(Z.clientX - C.left + 16)), m.setAttribute("y", String(Z.clientY - C.top - 12));
-      }, q = (Z) => {
-        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", it), d.removeEventListener("pointercancel", We), removeEventListener("keydown", Ge, !0), d.classList.remove("held"), m.textContent = "", Z ? I.end() : I.cancel();
-      }, it = () => q(!0), We = () => q(!1), Ge = (Z) => {
-        Z.key === "Escape" && (Z.stopPropagation(), q(!1));
-      };
-      d.addEventListener("pointermove", U), d.addEventListener("pointerup", it), d.addEventListener("pointercancel", We), addEventListener("keydown", Ge, !0);
-    });
-  }
-  let zt = (d, f, k) => k ? Math.round(d / f) * f : d, Xt = (d) => d.map((f) => f.toFixed(2)).join("  ") + " m";
-  we.forEach((d, f) => {
-    Oe(i[f].group, "move", () => {
-      let k = t.target.peek().position, w = null;
-      return (T, C, z) => {
-        let I = hr(k, d, T);
-        w ??= I;
-        let O = re(d, zt(I - w, wa, C));
-        return z.move(O), Xt(O);
-      };
-    }), Oe(l[f].group, "move", () => jn(d)), Oe(r[f].group, "turn", () => {
-      let k = t.target.peek(), w = { at: null };
-      return (T, C, z) => {
-        let I = Ma(k.position, d, T), O = I && cn(Te(I, k.position), sr(d));
-        if (!O) return "";
-        w.at ??= O;
-        let U = Math.atan2(me(d, ur(w.at, O)), me(w.at, O)), q = zt(U, dr, C);
-        return z.rotate(d, q), `${(q * 180 / Math.PI).toFixed(1)}°`;
-      };
-    });
-  }), Oe(u.group, "move", (d) => jn(d.hole.forward)), Oe(s.group, "aim", (d) => {
-    let f = t.target.peek(), k = f.aim ?? le(f.position, re(f.direction, 3 * b(d, f.position))), w = zn(k, d.hole.forward);
-    return (T, C, z) => {
-      let I = w(T, C), O = le(k, I);
-      return cr(O, f.position) > 1e-3 && z.turn(cn(Te(O, f.position)), O), Xt(O);
-    };
-  });
-  function jn(d) {
-    let f = zn(t.target.peek().position, d);
-    return (k, w, T) => {
-      let C = f(k, w);
-      return T.move(C), Xt(C);
-    };
-  }
-  function zn(d, f) {
-    let k = null;
-    return (w, T) => {
-      let C = Ma(d, f, w);
-      return C ? (k ??= C, Te(C, k).map((z) => zt(z, wa, T))) : [0, 0, 0];
-    };
-  }
-  return { stop: B };
-}
-function hr(e, t, n) {
-  let a = Te(e, n.origin), o = me(t, n.direction), r = 1 - o * o;
-  return r < 1e-6 ? 0 : (o * me(n.direction, a) - me(t, a)) / r;
-}
-function Ma(e, t, n) {
-  let a = me(t, n.direction);
-  if (Math.abs(a) < 1e-4 * pr(t)) return null;
-  let o = me(Te(e, n.origin), t) / a;
-  return o < 0 || o > 1e6 ? null : le(n.origin, re(n.direction, o));
-}
-
-// src/later/handles.tsx
-import { jsx as Wr } from "./desk.js";
-function Rr([e, t, n, a], [o, r, l, i]) {
-  return [
-    a * o + e * i + t * l - n * r,
-    a * r - e * l + t * i + n * o,
-    a * l + e * r - t * o + n * i,
-    a * i - e * o - t * r - n * l
-  ];
-}
-var Fr = () => !wr.value && $r.value !== "watch" && fr.value.you && Vr.value !== "aim", Pa = mn(() => {
-  let e = Lr.value;
-  if (!e || !Fr()) return null;
-  if (e.kind === "thing") {
-    let n = e.ids.filter((a) => kt.get(a) && !kt.get(a)?.locked);
-    return n.length ? { kind: "things", ids: n } : null;
-  }
-  let t = gr.value.filter((n) => La(yt.get(n)));
-  return t.length ? { kind: "lamps", ids: t } : null;
-}), Ta = (e) => {
-  let t = kt.get(e);
-  return t?.place?.position ?? (t?.box ? xr(t.box) : null);
-}, Hr = mn(() => {
-  let e = Pa.value;
-  if (!e) return null;
-  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? La(yt.get(t)) : Ta(t);
-  if (!n) return null;
-  let a = e.kind === "lamps" ? yt.get(t)?.place : null;
-  return {
-    position: n,
-    direction: a?.direction ?? null,
-    aim: a?.aim ?? null,
-    turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: kr.value
-  };
-}), Nr = mn(() => {
-  let e = Pr.value;
-  if (qr.value, !e) return null;
-  let { width: t, height: n } = e.head;
-  return { hole: Cr(e.camera, t, n), fit: vr(t, n) };
-}), Dr = {
-  effect: br,
-  target: Hr,
-  view: Nr,
-  hold(e) {
-    let t = Pa.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? Er(n) : n.length === 1 ? Mr("thing", n[0]) : `${n.length} things`, r = new yr(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), l = a === "lamps" ? Xe(n) : new Map(n.map((s) => [s, Ta(s)])), i = new Map(n.map((s) => [s, (a === "lamps" ? yt : kt).get(s)?.place])), u = (s) => {
-      let m = n.map((p) => [p, s(p)]).filter(([, p]) => p);
-      r.set({ [a]: Object.fromEntries(m.map(([p, b]) => [p, { place: b }])) });
-    };
-    return {
-      move: (s) => a === "lamps" ? r.set(ze(n, s, l)) : u((m) => ({ position: Ca(l.get(m), s) })),
-      turn: (s, m) => u((p) => i.get(p)?.direction ? { direction: s, ...m ? { aim: m } : {} } : null),
-      rotate: (s, m) => u((p) => {
-        let b = i.get(p);
-        if (b?.direction) {
-          let v = Sr($a(b.direction, s, m)), V = b.aim && b.position ? $a(Tr(b.aim, b.position), s, m) : null;
-          return { direction: v, ...V ? { aim: Ca(b.position, V) } : {} };
-        }
-        let c = Math.sin(m / 2), g = [s[0] * c, s[1] * c, s[2] * c, Math.cos(m / 2)];
-        return { rotation: Rr(g, b?.rotation ?? [0, 0, 0, 1]) };
-      }),
-      end: () => r.end(),
-      cancel: () => r.cancel()
-    };
-  }
-};
-function Or() {
-  let e = Ir(null);
-  return Ar(() => Sa(e.current, Dr).stop, []), Wr("svg", { id: "handles", ref: e, "aria-hidden": "true" });
-}
-
 // src/later/inspector.tsx
-import { act as wo, deselect as Bi, Icon as Vn, penless as An, selection as Ui, signal as _i } from "./desk.js";
+import { act as bl, deselect as Nu, Icon as Qn, penless as Jn, selection as Du, signal as Gu } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  deselect as Aa,
-  digits as Ae,
-  edit as xt,
-  grids as jr,
-  Icon as Ia,
-  length as Ie,
-  luxText as qe,
-  maintenance as dn,
-  meters as zr,
-  selection as qa
+  add as Hs,
+  deselect as La,
+  digits as Ce,
+  dot as Ns,
+  edit as Gt,
+  grids as Ds,
+  Icon as Ta,
+  length as Dt,
+  maintained as He,
+  maintenance as Gs,
+  meters as Os,
+  scale as Ws,
+  selection as Pa,
+  up as Ca
 } from "./desk.js";
 
+// src/later/figures.tsx
+import { maintenance as ba, status as In } from "./desk.js";
+
+// src/later/verdict.ts
+function ga(e, t) {
+  let n = ({ value: a, error: l, least: r }) => {
+    let s = t ? 0 : l ?? 1 / 0;
+    return a - s >= r ? "met" : a + s < r ? "missed" : "open";
+  }, o = e.map(n);
+  return o.includes("missed") ? "missed" : o.includes("open") ? "open" : "met";
+}
+
+// src/later/figures.tsx
+import { jsx as Ma } from "./desk.js";
+var va = () => In.value?.stage === "moving" || In.value?.stage === "loading", Es = () => va() || In.value?.stage === "refining", ya = { meter: 0.02, grid: 0.05 };
+function ka(e, t, n) {
+  return e == null || t == null || t > n * e || Es();
+}
+var Rt = ({ lux: e }) => ka(e?.[0], e?.[1], ya.meter), qt = ({ mean: e, error: t }) => ka(e, t, ya.grid), wa = (e, t) => va() ? "open" : ga(e, t === !0);
+function Ft({ lux: e, target: t, done: n }) {
+  if (!e || !t) return null;
+  let o = ba.value;
+  return wa([{ value: e[0] * o, error: e[1] == null ? null : e[1] * o, least: t }], n);
+}
+function Ht({ mean: e, error: t, uniformity: n, uniformity_error: o, target: a, done: l }) {
+  if (!a || e == null || n == null) return null;
+  let r = ba.value;
+  return wa([
+    { value: e * r, error: t == null ? null : t * r, least: a.lux },
+    { value: n, error: o ?? null, least: a.uniformity }
+  ], l);
+}
+var xa = {
+  met: ["✓", "reaches its target"],
+  missed: ["✗", "misses its target"],
+  open: ["≈", "within its ± of the target: not decided yet"]
+};
+function An({ of: e }) {
+  if (!e) return null;
+  let [t, n] = xa[e];
+  return Ma("b", { class: e, role: "img", "aria-label": n, title: n, children: t });
+}
+function Rn({ of: e }) {
+  if (!e) return null;
+  let [t, n] = xa[e];
+  return Ma("p", { class: e, children: `${t} ${n[0].toUpperCase()}${n.slice(1)}` });
+}
+
 // src/later/parts.tsx
-import { Field as Ea, Gesture as Gr, Range as Kr, stroke as Br, useRef as Ur } from "./desk.js";
-import { jsx as ie, jsxs as wt } from "./desk.js";
-function R({ title: e, note: t, children: n }) {
-  return wt("section", { class: "part", "aria-label": e, children: [
-    wt("h3", { children: [
+import { Field as Sa, Gesture as Is, Range as As, stroke as Rs, useRef as qs } from "./desk.js";
+import { jsx as ue, jsxs as Nt } from "./desk.js";
+function A({ title: e, note: t, children: n }) {
+  return Nt("section", { class: "part", "aria-label": e, children: [
+    Nt("h3", { children: [
       e,
-      t && ie("small", { title: t, children: t })
+      t && ue("small", { title: t, children: t })
     ] }),
     n
   ] });
 }
-function G(e) {
+function K(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
-function A(e) {
-  return wt("label", { class: "line", children: [
-    ie("span", { children: e.label }),
-    ie(Ea, { ...e, label: e.name ?? e.label })
+function P(e) {
+  return Nt("label", { class: "line", children: [
+    ue("span", { children: e.label }),
+    ue(Sa, { ...e, label: e.name ?? e.label })
   ] });
 }
-function _r(e, t) {
+function Fs(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
-function J({ label: e, names: t, quantity: n, value: a, set: o, step: r, disabled: l }) {
-  let i = t ?? ["X", "Y", "Z"];
-  return wt("div", { class: "line", role: "group", "aria-label": e, children: [
-    ie("span", { children: e }),
-    ie("span", { class: "triple", children: i.map((u, s) => ie(
-      Ea,
+function Q({ label: e, names: t, quantity: n, value: o, set: a, step: l, disabled: r }) {
+  let s = t ?? ["X", "Y", "Z"];
+  return Nt("div", { class: "line", role: "group", "aria-label": e, children: [
+    ue("span", { children: e }),
+    ue("span", { class: "triple", children: s.map((p, i) => ue(
+      Sa,
       {
-        label: `${e} ${u}`,
+        label: `${e} ${p}`,
         quantity: n,
-        value: a[s],
-        text: _r(a[s], n),
-        step: r,
-        disabled: l,
-        set: (m) => o(s, m)
+        value: o[i],
+        text: Fs(o[i], n),
+        step: l,
+        disabled: r,
+        set: (m) => a(i, m)
       },
-      u
+      p
     )) })
   ] });
 }
-function Ee({ label: e, name: t, value: n, text: a, patch: o, reset: r, notch: l, class: i, style: u, disabled: s }) {
-  let m = Ur(null), p = (c) => () => {
-    m.current?.[c](), m.current = null;
-  }, b = (c) => m.current ? m.current.set(o(c)) : Br(e + t, t, o(c));
-  return ie(
-    Kr,
+function qe({ label: e, name: t, value: n, text: o, patch: a, reset: l, notch: r, class: s, style: p, disabled: i }) {
+  let m = qs(null), c = (u) => () => {
+    m.current?.[u](), m.current = null;
+  }, g = (u) => m.current ? m.current.set(a(u)) : Rs(e + t, t, a(u));
+  return ue(
+    As,
     {
       label: e,
       value: n,
-      text: a,
-      notch: l,
-      class: i,
-      gradient: u,
-      disabled: s,
-      begin: () => m.current = new Gr(t),
-      on: b,
-      end: p("end"),
-      cancel: p("cancel"),
-      reset: r === void 0 ? void 0 : () => b(r)
+      text: o,
+      notch: r,
+      class: s,
+      gradient: p,
+      disabled: i,
+      begin: () => m.current = new Is(t),
+      on: g,
+      end: c("end"),
+      cancel: c("cancel"),
+      reset: l === void 0 ? void 0 : () => g(l)
     }
   );
 }
-function Ve({ value: e, label: t, set: n }) {
-  return ie("span", { class: "field name-field", children: ie(
+function Fe({ value: e, label: t, set: n }) {
+  return ue("span", { class: "field name-field", children: ue(
     "input",
     {
       type: "text",
@@ -738,111 +954,114 @@ function Ve({ value: e, label: t, set: n }) {
       value: e,
       maxLength: 120,
       spellcheck: !1,
-      onChange: (a) => {
-        let o = a.currentTarget.value.trim();
-        o && o !== e ? n(o) : a.currentTarget.value = e;
+      onChange: (o) => {
+        let a = o.currentTarget.value.trim();
+        a && a !== e ? n(a) : o.currentTarget.value = e;
       },
-      onKeyDown: (a) => {
-        a.key === "Enter" && a.currentTarget.blur(), a.key === "Escape" && (a.stopPropagation(), a.currentTarget.value = e, a.currentTarget.blur());
+      onKeyDown: (o) => {
+        o.key === "Enter" && o.currentTarget.blur(), o.key === "Escape" && (o.stopPropagation(), o.currentTarget.value = e, o.currentTarget.blur());
       }
     }
   ) });
 }
-var se = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
+var ce = (e, t, n) => e.map((o, a) => a === t ? n(o) : o);
 
 // src/later/measure.tsx
-import { Fragment as hn, jsx as P, jsxs as _ } from "./desk.js";
-var Xr = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
-function Ra() {
-  let e = qa.value?.ids[0], t = zr.get(e);
-  if (!t) return P("p", { class: "quiet empty", children: "This meter is gone." });
-  let n = (a, o) => {
-    let { lux: r, ...l } = { ...t, ...o };
-    xt(`${t.name}: ${a}`, { meters: { [e]: l } });
+import { Fragment as qn, jsx as S, jsxs as X } from "./desk.js";
+var Ks = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+function Va() {
+  let e = Pa.value?.ids[0], t = Os.get(e);
+  if (!t) return S("p", { class: "quiet empty", children: "This meter is gone." });
+  let n = (o, a) => {
+    let { lux: l, done: r, ...s } = { ...t, ...a };
+    Gt(`${t.name}: ${o}`, { meters: { [e]: s } });
   };
-  return _(hn, { children: [
-    P("header", { class: "panel-head", children: P(Ve, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
-    P("p", { class: "crumbs", children: t.lux?.[1] != null ? `${qe(t.lux[0] * dn.value)} ±${qe(t.lux[1] * dn.value, !1)}` : "measuring" }),
-    P("div", { class: "scroll", children: _(R, { title: "Meter", children: [
-      _("label", { class: "line", children: [
-        P("span", { children: "Measures" }),
-        P("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: Xr.map(([a, o]) => P("option", { value: a, children: o }, a)) })
+  return X(qn, { children: [
+    S("header", { class: "panel-head", children: S(Fe, { label: "Name of the meter", value: t.name, set: (o) => n("rename", { name: o }) }) }),
+    S("p", { class: `crumbs ${Rt(t) ? "unsettled" : "known"}`, children: t.lux?.[1] != null ? `${He(t.lux[0])} ±${He(t.lux[1], !1)}` : "measuring" }),
+    S("div", { class: "scroll", children: X(A, { title: "Meter", children: [
+      X("label", { class: "line", children: [
+        S("span", { children: "Measures" }),
+        S("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (o) => n("kind", { kind: o.currentTarget.value }), children: Ks.map(([o, a]) => S("option", { value: o, children: a }, o)) })
       ] }),
-      P(J, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: se(t.point, a, o) }) }),
-      P(A, { label: "Shall read", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
-      P(J, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: se(t.normal, a, o) }) }),
-      _("button", { class: "plain full", onClick: () => {
-        Aa(), xt(`Remove ${t.name}`, { meters: { [e]: null } });
+      S(Q, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (o, a) => n("move", { point: ce(t.point, o, a) }) }),
+      S(P, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (o) => n("target", { target: o(t.target ?? 0) || null }) }),
+      S(Rn, { of: Ft(t) }),
+      S(Q, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((o) => Math.round(o * 1e3) / 1e3), set: (o, a) => n("turn", { normal: ce(t.normal, o, a) }) }),
+      X("button", { class: "plain full", onClick: () => {
+        La(), Gt(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        P(Ia, { name: "bin" }),
+        S(Ta, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
   ] });
 }
-var Va = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
-function Fa() {
-  let e = qa.value?.ids[0], t = jr.get(e);
-  if (!t) return P("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = dn.value, a = (i, u) => {
-    let { name: s, corner: m, u: p, v: b, normal: c, columns: g, rows: v, target: V } = { ...t, ...u };
-    xt(`${t.name}: ${i}`, { grids: { [e]: { name: s, corner: m, u: p, v: b, normal: c, columns: g, rows: v, target: V } } });
-  }, o = () => {
-    let i = tn(Math.max(Ie(t.u), Ie(t.v)));
-    a("standard spacing", { columns: Math.max(1, Math.ceil(Ie(t.u) / i)), rows: Math.max(1, Math.ceil(Ie(t.v) / i)) });
-  }, r = (i, u, s) => _(hn, { children: [
-    P("dt", { children: i }),
-    P("dd", { children: u == null ? "…" : s(u) })
-  ] }), l = t.target ?? { lux: 500, uniformity: 0.6 };
-  return _(hn, { children: [
-    P("header", { class: "panel-head", children: P(Ve, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
-    _("p", { class: "crumbs", children: [
-      Ae(Ie(t.u), 2),
+var $a = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
+function Ea() {
+  let e = Pa.value?.ids[0], t = Ds.get(e);
+  if (!t) return S("p", { class: "quiet empty", children: "This grid is gone." });
+  let n = Gs.value, o = (i, m) => {
+    let { name: c, corner: g, u, v: h, normal: v, columns: E, rows: H, border: ee, target: be } = { ...t, ...m };
+    Gt(`${t.name}: ${i}`, { grids: { [e]: { name: c, corner: g, u, v: h, normal: v, columns: E, rows: H, border: ee, target: be } } });
+  }, a = (i, m = t.border) => {
+    let [c, g] = bn([gt(Dt(t.u), m), gt(Dt(t.v), m)]);
+    o(i, { columns: c, rows: g, border: m });
+  }, l = Ns(t.corner, Ca.value) - bt(), r = (i, m, c) => X(qn, { children: [
+    S("dt", { children: i }),
+    S("dd", { children: m == null ? "…" : c(m) })
+  ] }), s = (i, m) => i == null ? "" : ` ±${m(i)}`, p = t.target ?? { lux: 500, uniformity: 0.6 };
+  return X(qn, { children: [
+    S("header", { class: "panel-head", children: S(Fe, { label: "Name of the grid", value: t.name, set: (i) => o("rename", { name: i }) }) }),
+    X("p", { class: "crumbs", children: [
+      Ce(Dt(t.u), 2),
       " × ",
-      Ae(Ie(t.v), 2),
+      Ce(Dt(t.v), 2),
       " m, ",
-      Ae(t.columns * t.rows),
+      Ce(t.columns * t.rows),
       " points"
     ] }),
-    _("div", { class: "scroll", children: [
-      P(R, { title: "Figures", note: n === 1 ? "new" : `× ${Ae(n, 2)}`, children: _("dl", { class: "figures", children: [
-        r("Ē", t.mean, (i) => qe(i * n)),
-        r("E min", t.min, (i) => qe(i * n)),
-        r("E max", t.max, (i) => qe(i * n)),
-        r("U₀ = min / mean", t.uniformity, (i) => Ae(i, 2)),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ae(i, 2)),
-        r("± of Ē", t.error, (i) => qe(i * n))
+    X("div", { class: "scroll", children: [
+      S(A, { title: "Figures", note: n === 1 ? "new" : `× ${Ce(n, 2)}`, children: X("dl", { class: `figures ${qt(t) ? "unsettled" : ""}`, children: [
+        r("Ē", t.mean, (i) => He(i) + s(t.error, (m) => He(m, !1))),
+        r("E min", t.min, (i) => He(i)),
+        r("E max", t.max, (i) => He(i)),
+        r("U₀ = min / mean", t.uniformity, (i) => Ce(i, 2) + s(t.uniformity_error, (m) => Ce(m, 2))),
+        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ce(i, 2))
       ] }) }),
-      _(R, { title: "Target", children: [
-        _("label", { class: "line", children: [
-          P("span", { children: "Class" }),
-          _("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
-            let u = Va[Number(i.currentTarget.value)];
-            a("target", { target: u ? { lux: u[1], uniformity: u[2] } : null });
+      X(A, { title: "Target", children: [
+        S(Rn, { of: Ht(t) }),
+        X("label", { class: "line", children: [
+          S("span", { children: "Class" }),
+          X("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
+            let m = $a[Number(i.currentTarget.value)];
+            o("target", { target: m ? { lux: m[1], uniformity: m[2] } : null });
           }, children: [
-            P("option", { value: "", children: t.target ? "choose…" : "none" }),
-            Va.map(([i, u, s], m) => _("option", { value: m, children: [
+            S("option", { value: "", children: t.target ? "choose…" : "none" }),
+            $a.map(([i, m, c], g) => X("option", { value: g, children: [
               i,
               ": ",
-              u,
+              m,
               " lx, U₀ ",
-              s
+              c
             ] }, i)),
-            P("option", { value: "-1", children: "no target" })
+            S("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        P(A, { label: "Ē at least", quantity: "lux", step: 50, value: l.lux, set: (i) => a("target", { target: { ...l, lux: i(l.lux) } }) }),
-        P(A, { label: "U₀ at least", quantity: "share", step: 0.05, value: l.uniformity, set: (i) => a("target", { target: { ...l, uniformity: i(l.uniformity) } }) })
+        S(P, { label: "Ē at least", quantity: "lux", step: 50, value: p.lux, set: (i) => o("target", { target: { ...p, lux: i(p.lux) } }) }),
+        S(P, { label: "U₀ at least", quantity: "share", step: 0.05, value: p.uniformity, set: (i) => o("target", { target: { ...p, uniformity: i(p.uniformity) } }) })
       ] }),
-      _(R, { title: "Area", children: [
-        P(J, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, u) => a("move", { corner: se(t.corner, i, u) }) }),
-        P(A, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
-        P(A, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
-        P("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: o, children: "Spacing of the standard" }),
-        _("button", { class: "plain full", onClick: () => {
-          Aa(), xt(`Remove ${t.name}`, { grids: { [e]: null } });
+      X(A, { title: "Area", children: [
+        S(Q, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, m) => o("move", { corner: ce(t.corner, i, m) }) }),
+        S(P, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => o("height", { corner: Hs(t.corner, Ws(Ca.value, i(l) - l)) }) }),
+        S(P, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => a("border", Math.max(0, i(t.border ?? 0))) }),
+        S(P, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => o("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
+        S(P, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => o("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
+        S("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: () => a("standard spacing"), children: "Spacing of the standard" }),
+        X("button", { class: "plain full", onClick: () => {
+          La(), Gt(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          P(Ia, { name: "bin" }),
+          S(Ta, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -852,501 +1071,510 @@ function Fa() {
 
 // src/later/lamp.tsx
 import {
-  act as he,
-  chosenLamps as ui,
-  dot as yn,
-  edit as Ct,
-  format as ja,
-  groups as $t,
-  handles as Mt,
-  Icon as Fe,
-  lamps as Mn,
-  layers as ci,
-  lumensOf as pi,
-  normal as za,
-  output as mi,
-  percent as xn,
-  positionOf as Wa,
-  selection as kn,
-  signal as Xa,
-  spot as di,
-  sub as Ga,
-  titleOf as Sn,
-  tool as Qa,
-  toLevel as Ka,
-  toTravel as hi,
-  typeLevel as wn,
-  up as gi,
-  Fade as fi,
-  Field as bi,
-  wantLevel as Ba,
-  compass as Ya,
-  add as Lt,
-  scale as He,
-  length as vi,
-  Range as yi,
-  strokeLevel as Ua,
-  useRef as ki
+  act as oe,
+  chosenLamps as ou,
+  dot as Gn,
+  edit as Kt,
+  format as Wa,
+  groups as Bt,
+  handles as Ot,
+  Icon as De,
+  lamps as Kn,
+  layers as au,
+  lumensOf as lu,
+  normal as Ka,
+  output as ru,
+  percent as Wn,
+  positionOf as Fa,
+  selection as Ba,
+  signal as Ua,
+  spot as iu,
+  sub as Ha,
+  titleOf as Bn,
+  tool as _a,
+  toLevel as Na,
+  toTravel as su,
+  typeLevel as On,
+  up as uu,
+  Fade as cu,
+  Field as pu,
+  wantLevel as Da,
+  compass as Xa,
+  add as Ut,
+  scale as Ge,
+  length as mu,
+  Range as du,
+  strokeLevel as Ga,
+  typeGroupLevel as hu,
+  useRef as fu
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as Jr,
-  digits as Na,
-  edit as ei,
-  fromHex as ti,
-  hex as ni,
-  lamps as Da,
-  mired as xe,
-  titleOf as ai
+  chosenLamps as Xs,
+  digits as Aa,
+  edit as Ys,
+  fromHex as zs,
+  hex as js,
+  lamps as Ra,
+  mired as $e,
+  titleOf as Zs
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Qr, mired as gn } from "./desk.js";
-function Yr(e, t) {
-  let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
+import { css as Bs, mired as Fn } from "./desk.js";
+function Us(e, t) {
+  let [n, o] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
-    3.2404542 * n - 1.5371385 - 0.4985314 * a,
-    -0.969266 * n + 1.8760108 + 0.041556 * a,
-    0.0556434 * n - 0.2040259 + 1.0572252 * a
-  ].map((r) => Math.max(0, r));
+    3.2404542 * n - 1.5371385 - 0.4985314 * o,
+    -0.969266 * n + 1.8760108 + 0.041556 * o,
+    0.0556434 * n - 0.2040259 + 1.0572252 * o
+  ].map((l) => Math.max(0, l));
 }
-function Zr(e) {
-  let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
-  return [n, a];
+function _s(e) {
+  let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, o = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
+  return [n, o];
 }
-function Ha(e, t, n = 9) {
-  return `linear-gradient(to right, ${Array.from({ length: n }, (o, r) => {
-    let l = gn(e) + (gn(t) - gn(e)) * r / (n - 1);
-    return Qr(Yr(...Zr(1e6 / l)));
+function Ia(e, t, n = 9) {
+  return `linear-gradient(to right, ${Array.from({ length: n }, (a, l) => {
+    let r = Fn(e) + (Fn(t) - Fn(e)) * l / (n - 1);
+    return Bs(Us(..._s(1e6 / r)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as bn, jsx as N, jsxs as de } from "./desk.js";
-var Je = 1800, vn = 1e4, oi = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], li = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], ri = Ha(Je, vn), fn = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Da.get(n).color) }]))
-}), ii = (e) => {
-  let t = 1e6 / (xe(Je) + (xe(vn) - xe(Je)) * e);
+import { Fragment as Nn, jsx as D, jsxs as he } from "./desk.js";
+var at = 1800, Dn = 1e4, Qs = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Js = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], eu = Ia(at, Dn), Hn = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Ra.get(n).color) }]))
+}), tu = (e) => {
+  let t = 1e6 / ($e(at) + ($e(Dn) - $e(at)) * e);
   return Math.round(t / 10) * 10;
-}, si = (e) => (xe(e) - xe(Je)) / (xe(vn) - xe(Je));
-function Oa() {
-  let e = Jr.value, t = e.map((l) => Da.get(l)?.color).filter((l) => l !== void 0);
+}, nu = (e) => ($e(e) - $e(at)) / ($e(Dn) - $e(at));
+function qa() {
+  let e = Xs.value, t = e.map((r) => Ra.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = G(t.map((l) => l.mode)), a = t[0], o = ai(e), r = (l, i) => ei(`${o}: ${l}`, fn(e, i));
-  return de(bn, { children: [
-    de("div", { class: "line", children: [
-      N("span", { children: "Colour" }),
-      N("div", { class: "segments", role: "group", "aria-label": "Colour by", children: li.map(([l, i]) => N("button", { "aria-pressed": n === l, onClick: () => r(`colour by ${i}`, () => ({ mode: l })), children: i }, l)) })
+  let n = K(t.map((r) => r.mode)), o = t[0], a = Zs(e), l = (r, s) => Ys(`${a}: ${r}`, Hn(e, s));
+  return he(Nn, { children: [
+    he("div", { class: "line", children: [
+      D("span", { children: "Colour" }),
+      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Js.map(([r, s]) => D("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
     ] }),
-    n === "kelvin" && de(bn, { children: [
-      de("div", { class: "line slide", children: [
-        N("span", { children: "White" }),
-        N(
-          Ee,
+    n === "kelvin" && he(Nn, { children: [
+      he("div", { class: "line slide", children: [
+        D("span", { children: "White" }),
+        D(
+          qe,
           {
             label: "Colour temperature",
-            name: `${o}: white`,
+            name: `${a}: white`,
             class: "mired",
-            style: ri,
-            value: si(a.kelvin),
-            text: `${Na(a.kelvin)} kelvin`,
-            patch: (l) => fn(e, () => ({ mode: "kelvin", kelvin: ii(l) }))
+            style: eu,
+            value: nu(o.kelvin),
+            text: `${Aa(o.kelvin)} kelvin`,
+            patch: (r) => Hn(e, () => ({ mode: "kelvin", kelvin: tu(r) }))
           }
         )
       ] }),
-      N(
-        A,
+      D(
+        P,
         {
           label: "",
           name: "Colour temperature, typed",
           quantity: "kelvin",
-          value: G(t.map((l) => l.kelvin)),
+          value: K(t.map((r) => r.kelvin)),
           step: 50,
-          set: (l) => r("white", (i) => ({ mode: "kelvin", kelvin: l(i.kelvin) }))
+          set: (r) => l("white", (s) => ({ mode: "kelvin", kelvin: r(s.kelvin) }))
         }
       ),
-      N("div", { class: "whites", role: "group", "aria-label": "Whites", children: oi.map(([l, i]) => N("button", { title: i, "aria-label": `${l} kelvin, ${i}`, onClick: () => r(`${l} K`, () => ({ mode: "kelvin", kelvin: l })), children: l }, l)) }),
-      de("div", { class: "line slide", children: [
-        N("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
-        N(
-          Ee,
+      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: Qs.map(([r, s]) => D("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
+      he("div", { class: "line slide", children: [
+        D("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
+        D(
+          qe,
           {
             label: "Tint, magenta to green",
-            name: `${o}: tint`,
+            name: `${a}: tint`,
             class: "tints",
-            value: (a.tint + 20) / 40,
-            text: `${Na(a.tint, 1)} thousandths`,
+            value: (o.tint + 20) / 40,
+            text: `${Aa(o.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (l) => fn(e, () => ({ tint: Math.round((l * 40 - 20) * 2) / 2 }))
+            patch: (r) => Hn(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      N(A, { label: "", name: "Tint, typed", quantity: "number", value: G(t.map((l) => l.tint)), step: 1, set: (l) => r("tint", (i) => ({ tint: Math.max(-50, Math.min(50, l(i.tint))) })) })
+      D(P, { label: "", name: "Tint, typed", quantity: "number", value: K(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
     ] }),
-    n === "rgb" && de(bn, { children: [
-      de("label", { class: "line", children: [
-        N("span", { children: "Colour" }),
-        N("input", { type: "color", class: "pick", "aria-label": "Colour", value: ni(a.rgb), onChange: (l) => r("colour", () => ({ mode: "rgb", rgb: ti(l.currentTarget.value) })) })
+    n === "rgb" && he(Nn, { children: [
+      he("label", { class: "line", children: [
+        D("span", { children: "Colour" }),
+        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: js(o.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: zs(r.currentTarget.value) })) })
       ] }),
-      N(
-        J,
+      D(
+        Q,
         {
           label: "Linear",
           names: ["R", "G", "B"],
           quantity: "number",
           step: 0.01,
-          value: a.rgb,
-          set: (l, i) => r("colour", (u) => ({ rgb: u.rgb.map((s, m) => m === l ? Math.max(0, i(s)) : s) }))
+          value: o.rgb,
+          set: (r, s) => l("colour", (p) => ({ rgb: p.rgb.map((i, m) => m === r ? Math.max(0, s(i)) : i) }))
         }
       )
     ] }),
-    n === "xy" && de("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
-      N("span", { children: "x, y" }),
-      N("span", { class: "triple", children: [0, 1].map((l) => N(
-        A,
+    n === "xy" && he("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
+      D("span", { children: "x, y" }),
+      D("span", { class: "triple", children: [0, 1].map((r) => D(
+        P,
         {
-          label: "xy"[l],
+          label: "xy"[r],
           quantity: "number",
           step: 1e-3,
-          value: G(t.map((i) => i.xy[l])),
-          set: (i) => r("chromaticity", (u) => ({ xy: u.xy.map((s, m) => m === l ? Math.max(0.01, Math.min(0.9, i(s))) : s) }))
+          value: K(t.map((s) => s.xy[r])),
+          set: (s) => l("chromaticity", (p) => ({ xy: p.xy.map((i, m) => m === r ? Math.max(0.01, Math.min(0.9, s(i))) : i) }))
         },
-        l
+        r
       )) })
     ] }),
-    n === null && N("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
+    n === null && D("p", { class: "quiet", children: "Colours are given in several ways; choosing one sets it for all." })
   ] });
 }
 
 // src/later/lamp.tsx
-import { Fragment as Cn, jsx as y, jsxs as D } from "./desk.js";
-var Re = Xa(1), St = Xa([1, 0, 0]), wi = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Pt = 180 / Math.PI;
-function _a(e, t) {
-  let { right: n, ahead: a } = Ya(t), o = -yn(e, t);
-  return [Math.atan2(yn(e, n), yn(e, a)) * Pt, Math.asin(Math.max(-1, Math.min(1, o))) * Pt];
+import { Fragment as Un, jsx as y, jsxs as G } from "./desk.js";
+var Ne = Ua(1), Wt = Ua([1, 0, 0]), gu = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], _t = 180 / Math.PI;
+function Oa(e, t) {
+  let { right: n, ahead: o } = Xa(t), a = -Gn(e, t);
+  return [Math.atan2(Gn(e, n), Gn(e, o)) * _t, Math.asin(Math.max(-1, Math.min(1, a))) * _t];
 }
-function xi(e, t, n) {
-  let { right: a, ahead: o } = Ya(n), [r, l] = [e / Pt, t / Pt], i = Lt(He(a, Math.sin(r)), He(o, Math.cos(r)));
-  return za(Lt(He(i, Math.cos(l)), He(n, -Math.sin(l))));
+function bu(e, t, n) {
+  let { right: o, ahead: a } = Xa(n), [l, r] = [e / _t, t / _t], s = Ut(Ge(o, Math.sin(l)), Ge(a, Math.cos(l)));
+  return Ka(Ut(Ge(s, Math.cos(r)), Ge(n, -Math.sin(r))));
 }
-function Mi({ ids: e, all: t }) {
-  let n = t.some((a) => a.place?.direction);
-  return D("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    D("button", { "aria-pressed": Qa.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => he("aim"), children: [
-      y(Fe, { name: "aim" }),
+function vu({ ids: e, all: t }) {
+  let n = t.some((a) => a.place?.direction), o = Ba.value?.kind === "group";
+  return G("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
+    G("button", { "aria-pressed": _a.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => oe("aim"), children: [
+      y(De, { name: "aim" }),
       "Aim"
     ] }),
-    y("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => he("solo"), children: y(Fe, { name: "solo" }) }),
-    y("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => he("from-lamp"), children: y(Fe, { name: "eye" }) }),
-    y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => he("frame"), children: y(Fe, { name: "frame" }) }),
+    y("button", { class: "icon", "aria-label": "Solo", title: "Solo (I)", onClick: () => oe("solo"), children: y(De, { name: "solo" }) }),
+    y("button", { class: "icon", "aria-label": "View from the lamp", title: "View from the lamp (Shift+L)", "aria-disabled": !n, onClick: () => oe("from-lamp"), children: y(De, { name: "eye" }) }),
+    y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => oe("frame"), children: y(De, { name: "frame" }) }),
     y("span", { class: "gap" }),
-    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => he("park"), children: "Park" }),
-    y("button", { class: "icon", "aria-label": `Remove ${Sn(e)}`, title: "Remove (Del)", onClick: () => he("remove"), children: y(Fe, { name: "bin" }) })
+    $t() === null && y("button", { title: "Group (Ctrl+G): one master for all of them", onClick: () => oe("group"), children: "Group" }),
+    Lt() === null && y("button", { title: o ? "Dissolve the group (Ctrl+Shift+G): its lamps stay" : "Take out of the group (Ctrl+Shift+G)", onClick: () => oe("ungroup"), children: o ? "Dissolve" : "Take out" }),
+    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => oe("park"), children: "Park" }),
+    y("button", { class: "icon", "aria-label": `Remove ${Bn(e)}`, title: "Remove (Del)", onClick: () => oe("remove"), children: y(De, { name: "bin" }) })
   ] });
 }
-function Si({ ids: e, all: t }) {
-  let n = G(t.map((l) => l.level)), a = pi(e), o = t.every((l) => l.free), r = e[e.length - 1];
-  return D(R, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
-    D("div", { class: "line slide", children: [
+function yu({ ids: e, all: t }) {
+  let n = K(t.map((r) => r.level)), o = lu(e), a = t.every((r) => r.free), l = e[e.length - 1];
+  return G(A, { title: "Light", note: a ? "re-mix" : "re-trace", children: [
+    G("div", { class: "line slide", children: [
       y("span", { children: "Level" }),
-      y(Ci, { id: r })
+      y(ku, { id: l })
     ] }),
-    D("label", { class: "line", children: [
+    G("label", { class: "line", children: [
       y("span", {}),
       y(
-        bi,
+        pu,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
-          flux: G(t.map((l) => l.flux)) ?? void 0,
+          flux: K(t.map((r) => r.flux)) ?? void 0,
           step: 0.01,
-          set: (l) => wn(e, l),
-          open: Ba.value,
-          opened: () => Ba.value = "",
+          set: (r) => On(e, r),
+          open: Da.value,
+          opened: () => Da.value = "",
           id: "level"
         }
       )
     ] }),
     y(
-      A,
+      P,
       {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (l) => wn(e, (i, u) => l(i * u) / u)
+        set: (r) => On(e, (s, p) => r(s * p) / p)
       }
     ),
-    D("div", { class: "line", children: [
+    G("div", { class: "line", children: [
       y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: wi.map(([l, i]) => y("button", { "aria-label": `${i} stop`, onClick: () => wn(e, (u) => Math.min(1e3, u * 2 ** l)), children: i }, i)) })
+      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: gu.map(([r, s]) => y("button", { "aria-label": `${s} stop`, onClick: () => On(e, (p) => Math.min(1e3, p * 2 ** r)), children: s }, s)) })
     ] }),
-    D("p", { class: "sum", children: [
-      ja(a, "flux"),
+    G("p", { class: "sum", children: [
+      Wa(o, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && ($t.get(t[0].group)?.level ?? 1) !== 1 && ` (${xn(t[0].level)} % × ${xn($t.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && (Bt.get(t[0].group)?.level ?? 1) !== 1 && ` (${Wn(t[0].level)} % × ${Wn(Bt.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    y(Oa, {})
+    y(qa, {})
   ] });
 }
-function Ci({ id: e }) {
-  let t = ki(null), n = Mn.get(e);
+function ku({ id: e }) {
+  let t = fu(null), n = Kn.get(e);
   if (!n) return null;
-  let a = { kind: "lamp", id: e }, o = (r) => () => {
-    t.current?.[r](), t.current = null;
+  let o = { kind: "lamp", id: e }, a = (l) => () => {
+    t.current?.[l](), t.current = null;
   };
   return y(
-    yi,
+    du,
     {
       label: "Level",
-      value: hi(n.level),
-      text: `${xn(n.level)} %, ${ja(n.flux * mi(n), "flux")}`,
-      begin: () => t.current = new fi(a),
-      on: (r) => t.current ? t.current.to(Ka(r)) : Ua(a, Ka(r)),
-      end: o("end"),
-      cancel: o("cancel"),
-      reset: () => Ua(a, 1)
+      value: su(n.level),
+      text: `${Wn(n.level)} %, ${Wa(n.flux * ru(n), "flux")}`,
+      begin: () => t.current = new cu(o),
+      on: (l) => t.current ? t.current.to(Na(l)) : Ga(o, Na(l)),
+      end: a("end"),
+      cancel: a("cancel"),
+      reset: () => Ga(o, 1)
     }
   );
 }
-function et(e, t, n) {
-  let a = {};
-  for (let o of e) {
-    let r = Mn.get(o), l = n(r.place ?? {}, r);
-    l && (a[o] = { place: l });
+function lt(e, t, n) {
+  let o = {};
+  for (let a of e) {
+    let l = Kn.get(a), r = n(l.place ?? {}, l);
+    r && (o[a] = { place: r });
   }
-  Object.keys(a).length && Ct(`${Sn(e)}: ${t}`, { lamps: a });
+  Object.keys(o).length && Kt(`${Bn(e)}: ${t}`, { lamps: o });
 }
-function $i({ ids: e, all: t }) {
-  let n = (o) => G(t.map((r) => r.place?.[o] ?? null)), a = (o) => t.some((r) => r.place?.[o] != null);
-  return !a("outer") && !a("radius") ? null : D(R, { title: "Beam", note: "re-trace", children: [
-    a("outer") && D(Cn, { children: [
-      y(A, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => et(e, "beam", (r) => r.outer == null ? null : { inner: Math.max(0.1, Math.min(r.outer, o(r.inner ?? r.outer))) }) }),
-      y(A, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => et(e, "beam", (r) => {
-        if (r.outer == null) return null;
-        let l = Math.max(0.2, Math.min(179, o(r.outer)));
-        return { outer: l, inner: Math.min(r.inner ?? l, l) };
+function wu({ ids: e, all: t }) {
+  let n = (a) => K(t.map((l) => l.place?.[a] ?? null)), o = (a) => t.some((l) => l.place?.[a] != null);
+  return !o("outer") && !o("radius") ? null : G(A, { title: "Beam", note: "re-trace", children: [
+    o("outer") && G(Un, { children: [
+      y(P, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (a) => lt(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, a(l.inner ?? l.outer))) }) }),
+      y(P, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (a) => lt(e, "beam", (l) => {
+        if (l.outer == null) return null;
+        let r = Math.max(0.2, Math.min(179, a(l.outer)));
+        return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    a("radius") && y(A, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => et(e, "radius", (r) => r.radius == null ? null : { radius: Math.max(1e-3, o(r.radius)) }) })
+    o("radius") && y(P, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (a) => lt(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, a(l.radius)) }) })
   ] });
 }
-function Li({ ids: e, all: t }) {
-  let n = t.filter((p) => Wa(p) !== null);
+function xu({ ids: e, all: t }) {
+  let n = t.filter((c) => Fa(c) !== null);
   if (!n.length) return null;
-  let a = n.map((p) => Wa(p)), o = (p, b) => G(b.map((c) => Math.round(c[p] * 1e4) / 1e4)), r = t.filter((p) => p.place?.direction), l = gi.value, i = r.map((p) => _a(p.place?.direction, l).map((b) => Math.round(b * 10) / 10)), u = t.map((p) => p.place?.aim).filter((p) => !!p), s = (p, b) => {
-    let c = Xe(e), g = {};
-    for (let [v, V] of c) {
-      let B = [0, 0, 0];
-      B[p] = b(V[p]) - V[p], Object.assign(g, ze([v], B, c).lamps);
+  let o = n.map((c) => Fa(c)), a = (c, g) => K(g.map((u) => Math.round(u[c] * 1e4) / 1e4)), l = t.filter((c) => c.place?.direction), r = uu.value, s = l.map((c) => Oa(c.place?.direction, r).map((g) => Math.round(g * 10) / 10)), p = t.map((c) => c.place?.aim).filter((c) => !!c), i = (c, g) => {
+    let u = Je(e), h = {};
+    for (let [v, E] of u) {
+      let H = [0, 0, 0];
+      H[c] = g(E[c]) - E[c], Object.assign(h, Qe([v], H, u).lamps);
     }
-    Ct(`Move ${Sn(e)}`, { lamps: g });
-  }, m = (p, b) => et(e, p ? "tilt" : "pan", (c) => {
-    if (!c.direction) return null;
-    let g = _a(c.direction, l);
-    g[p] = b(g[p]);
-    let v = xi(g[0], Math.max(-90, Math.min(90, g[1])), l), V = c.aim && c.position ? vi(Ga(c.aim, c.position)) : 0;
-    return { direction: v, ...V && c.position ? { aim: Lt(c.position, He(v, V)) } : {} };
+    Kt(`Move ${Bn(e)}`, { lamps: h });
+  }, m = (c, g) => lt(e, c ? "tilt" : "pan", (u) => {
+    if (!u.direction) return null;
+    let h = Oa(u.direction, r);
+    h[c] = g(h[c]);
+    let v = bu(h[0], Math.max(-90, Math.min(90, h[1])), r), E = u.aim && u.position ? mu(Ha(u.aim, u.position)) : 0;
+    return { direction: v, ...E && u.position ? { aim: Ut(u.position, Ge(v, E)) } : {} };
   });
-  return D(R, { title: "Place", note: "re-trace", children: [
-    y(J, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((p) => o(p, a)), set: s }),
-    r.length > 0 && D(Cn, { children: [
-      y(A, { label: "Pan", quantity: "angle", step: 1, value: G(i.map((p) => p[0])), set: (p) => m(0, p) }),
-      y(A, { label: "Tilt", quantity: "angle", step: 1, value: G(i.map((p) => p[1])), set: (p) => m(1, p) }),
+  return G(A, { title: "Place", note: "re-trace", children: [
+    y(Q, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => a(c, o)), set: i }),
+    l.length > 0 && G(Un, { children: [
+      y(P, { label: "Pan", quantity: "angle", step: 1, value: K(s.map((c) => c[0])), set: (c) => m(0, c) }),
+      y(P, { label: "Tilt", quantity: "angle", step: 1, value: K(s.map((c) => c[1])), set: (c) => m(1, c) }),
       y(
-        J,
+        Q,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
-          value: u.length ? [0, 1, 2].map((p) => o(p, u)) : [NaN, NaN, NaN],
-          set: (p, b) => et(e, "aim", (c) => {
-            if (!c.direction || !c.position) return null;
-            let g = se(c.aim ?? Lt(c.position, He(c.direction, 2)), p, b);
-            return { aim: g, direction: za(Ga(g, c.position)) };
+          value: p.length ? [0, 1, 2].map((c) => a(c, p)) : [NaN, NaN, NaN],
+          set: (c, g) => lt(e, "aim", (u) => {
+            if (!u.direction || !u.position) return null;
+            let h = ce(u.aim ?? Ut(u.position, Ge(u.direction, 2)), c, g);
+            return { aim: h, direction: Ka(Ha(h, u.position)) };
           })
         }
       )
     ] }),
-    D("div", { class: "line", children: [
+    G("div", { class: "line", children: [
       y("span", { children: "Handles" }),
-      D("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        y("button", { "aria-pressed": Mt.value === "move", onClick: () => Mt.value = "move", children: "Move" }),
-        y("button", { "aria-pressed": Mt.value === "turn", onClick: () => Mt.value = "turn", children: "Turn" })
+      G("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
+        y("button", { "aria-pressed": Ot.value === "move", onClick: () => Ot.value = "move", children: "Move" }),
+        y("button", { "aria-pressed": Ot.value === "turn", onClick: () => Ot.value = "turn", children: "Turn" })
       ] })
     ] }),
-    y("button", { class: "plain full", "aria-pressed": Qa.value === "place", onClick: () => he("place"), children: "Put on a surface by pointing" }),
-    r.length > 0 && di.value && y("button", { class: "plain full", onClick: () => he("aim-here"), children: "Aim at the last point" })
+    y("button", { class: "plain full", "aria-pressed": _a.value === "place", onClick: () => oe("place"), children: "Put on a surface by pointing" }),
+    l.length > 0 && iu.value && y("button", { class: "plain full", onClick: () => oe("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function Pi({ ids: e, all: t }) {
-  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : D(R, { title: "Copies along a line", children: [
-    y(A, { label: "How many", quantity: "number", step: 1, value: Re.value, set: (n) => Re.value = Math.max(1, Math.min(100, Math.round(n(Re.value)))) }),
-    y(J, { label: "Step", quantity: "length", step: 0.05, value: St.value, set: (n, a) => St.value = se(St.value, n, a) }),
-    D("button", { class: "plain full", onClick: () => gt(e, Re.value, St.value), children: [
-      y(Fe, { name: "copy" }),
-      Re.value === 1 ? "One copy" : `${Re.value} copies`
+function Mu({ ids: e, all: t }) {
+  return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : G(A, { title: "Copies along a line", children: [
+    y(P, { label: "How many", quantity: "number", step: 1, value: Ne.value, set: (n) => Ne.value = Math.max(1, Math.min(100, Math.round(n(Ne.value)))) }),
+    y(Q, { label: "Step", quantity: "length", step: 0.05, value: Wt.value, set: (n, o) => Wt.value = ce(Wt.value, n, o) }),
+    G("button", { class: "plain full", onClick: () => Mt(e, Ne.value, Wt.value), children: [
+      y(De, { name: "copy" }),
+      Ne.value === 1 ? "One copy" : `${Ne.value} copies`
     ] })
   ] });
 }
-function Za() {
-  let e = ui.value, t = e.map((l) => Mn.get(l)).filter((l) => !!l);
+function Ya() {
+  let e = ou.value, t = e.map((s) => Kn.get(s)).filter((s) => !!s);
   if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && $t.get(n.group), o = kn.value?.kind === "group" ? $t.get(kn.value.ids[0]) : void 0, r = n?.layer != null ? ci.value[n.layer] : void 0;
-  return D(Cn, { children: [
-    y("header", { class: "panel-head", children: n ? y(Ve, { label: "Name of the lamp", value: n.name, set: (l) => Ct(`Rename ${n.name}`, { lamps: { [e[0]]: { name: l } } }) }) : o ? y(Ve, { label: "Name of the group", value: o.name, set: (l) => Ct(`Rename ${o.name}`, { groups: { [kn.value.ids[0]]: { name: l } } }) }) : D("h2", { children: [
+  let n = t.length === 1 ? t[0] : null, o = n && Bt.get(n.group), a = Ba.value, l = a?.kind === "group" && a.ids.length === 1 ? Bt.get(a.ids[0]) : void 0, r = n?.layer != null ? au.value[n.layer] : void 0;
+  return G(Un, { children: [
+    y("header", { class: "panel-head", children: l && a ? y(Fe, { label: "Name of the group", value: l.name, set: (s) => Kt(`Rename ${l.name}`, { groups: { [a.ids[0]]: { name: s } } }) }) : n ? y(Fe, { label: "Name of the lamp", value: n.name, set: (s) => Kt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: s } } }) }) : G("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((l) => l.on).length} of ${t.length} on` }),
-    D("div", { class: "scroll", children: [
-      y(Mi, { ids: e, all: t }),
-      y(Si, { ids: e, all: t }),
-      y(R, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      y($i, { ids: e, all: t }),
-      y(Li, { ids: e, all: t }),
-      y(Pi, { ids: e, all: t }),
-      y("p", { class: "cost", children: t.every((l) => l.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
+    y("p", { class: "crumbs", children: n ? `${n.kind}${o && o.lamps.length > 1 ? ` ▸ ${o.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((s) => s.on).length} of ${t.length} on` }),
+    G("div", { class: "scroll", children: [
+      y(vu, { ids: e, all: t }),
+      l && a && y(A, { title: "Group", note: "re-mix", children: y(P, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => hu(a.ids[0], s) }) }),
+      y(yu, { ids: e, all: t }),
+      y(A, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
+      y(wu, { ids: e, all: t }),
+      y(xu, { ids: e, all: t }),
+      y(Mu, { ids: e, all: t }),
+      y("p", { class: "cost", children: t.every((s) => s.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
 }
 
 // src/later/scene.tsx
 import {
-  act as $n,
-  candles as Tt,
-  command as Ti,
-  digits as Vt,
-  edit as Ja,
-  Field as Ei,
-  filterOf as ao,
-  go as Vi,
-  history as Ai,
-  hovered as eo,
-  Icon as At,
-  layers as Ii,
-  lookOnly as to,
-  maintenance as Ne,
-  materials as qi,
-  percent as Ri,
-  scene as Fi,
-  select as oo,
-  signal as Hi,
-  singleKeys as no,
-  sub as Ni,
-  things as Di,
-  travel as Et,
-  Virtual as lo
+  act as _n,
+  candles as Xt,
+  command as Su,
+  digits as zt,
+  edit as za,
+  Field as ja,
+  filterOf as el,
+  go as Cu,
+  history as $u,
+  hovered as Za,
+  Icon as jt,
+  layers as Lu,
+  lookOnly as Qa,
+  maintenance as Oe,
+  materials as Tu,
+  percent as Pu,
+  scene as Vu,
+  select as tl,
+  signal as Eu,
+  singleKeys as Ja,
+  sub as Iu,
+  things as Au,
+  travel as Yt,
+  Virtual as nl,
+  workPlane as Xn
 } from "./desk.js";
-import { Fragment as Oi, jsx as M, jsxs as E } from "./desk.js";
-function ro() {
-  let e = Fi.value;
+import { Fragment as Ru, jsx as M, jsxs as V } from "./desk.js";
+function ol() {
+  let e = Vu.value;
   if (!e) return null;
-  let t = Ni(e.bounds[1], e.bounds[0]);
-  return E(Oi, { children: [
-    E(R, { title: "Room", children: [
-      E("p", { children: [
-        t.map((n) => Vt(n, 2)).join(" × "),
+  let t = Iu(e.bounds[1], e.bounds[0]);
+  return V(Ru, { children: [
+    V(A, { title: "Room", children: [
+      V("p", { children: [
+        t.map((n) => zt(n, 2)).join(" × "),
         " m",
-        e.triangles ? `, ${Vt(e.triangles)} triangles` : ""
+        e.triangles ? `, ${zt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Vi(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
-      e.warnings.length > 0 && E("details", { children: [
-        E("summary", { children: [
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, o) => M("li", { children: M("button", { onClick: () => Cu(n, n.name ?? "camera"), children: n.name || `Camera ${o + 1}` }) }, o)) }),
+      e.warnings.length > 0 && V("details", { children: [
+        V("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
           " on the file"
         ] }),
         M("ul", { class: "remarks", children: e.warnings.map((n) => M("li", { children: n }, n)) })
       ] })
     ] }),
-    E(R, { title: "Figures", children: [
-      E("label", { class: "line", children: [
+    V(A, { title: "Figures", children: [
+      V("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
-        M(Ei, { label: "Maintenance factor", quantity: "share", value: Ne.value, step: 0.05, set: (n) => Ne.value = Math.max(0.1, Math.min(1, n(Ne.value))) })
+        M(ja, { label: "Maintenance factor", quantity: "share", value: Oe.value, step: 0.05, set: (n) => Oe.value = Math.max(0.1, Math.min(1, n(Oe.value))) })
       ] }),
-      E("p", { class: "quiet", children: [
-        Ne.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
-        Ne.value === 1 && M("button", { class: "plain", onClick: () => Ne.value = 0.8, children: "0.80" })
+      V("p", { class: "quiet", children: [
+        Oe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
+        Oe.value === 1 && M("button", { class: "plain", onClick: () => Oe.value = 0.8, children: "0.80" })
       ] }),
-      E("div", { class: "line", children: [
+      V("label", { class: "line", children: [
+        M("span", { children: "Work plane" }),
+        M(ja, { label: "Work plane above the floor", quantity: "length", value: Xn.value, step: 0.05, set: (n) => Xn.value = Math.max(0, Math.min(3, n(Xn.value))) })
+      ] }),
+      V("div", { class: "line", children: [
         M("span", { children: "Unit" }),
-        E("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
-          M("button", { "aria-pressed": Tt.value === "lx", onClick: () => Tt.value = "lx", children: "lx, cd/m²" }),
-          M("button", { "aria-pressed": Tt.value === "fc", onClick: () => Tt.value = "fc", children: "fc, fL" })
+        V("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
+          M("button", { "aria-pressed": Xt.value === "lx", onClick: () => Xt.value = "lx", children: "lx, cd/m²" }),
+          M("button", { "aria-pressed": Xt.value === "fc", onClick: () => Xt.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    M(R, { title: "Layers of light", children: M("ul", { class: "layers", children: Ii.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(A, { title: "Layers of light", children: M("ul", { class: "layers", children: Lu.value.map((n, o) => V("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
-      M("span", { children: n.name || `layer ${a + 1}` }),
-      M("small", { children: n.held ? "held" : Ri(n.of ? n.batches / n.of : 0) + " %" })
-    ] }, a)) }) }),
-    E(R, { title: "Hands", children: [
-      E("div", { class: "line", children: [
+      M("span", { children: n.name || `layer ${o + 1}` }),
+      M("small", { children: n.held ? "held" : Pu(n.of ? n.batches / n.of : 0) + " %" })
+    ] }, o)) }) }),
+    V(A, { title: "Hands", children: [
+      V("div", { class: "line", children: [
         M("span", { children: "Faders" }),
-        E("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
-          M("button", { "aria-pressed": Et.value === "square", onClick: () => Et.value = "square", children: "Square law" }),
-          M("button", { "aria-pressed": Et.value === "linear", onClick: () => Et.value = "linear", children: "Even" })
+        V("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
+          M("button", { "aria-pressed": Yt.value === "square", onClick: () => Yt.value = "square", children: "Square law" }),
+          M("button", { "aria-pressed": Yt.value === "linear", onClick: () => Yt.value = "linear", children: "Even" })
         ] })
       ] }),
-      E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: no.value, onChange: (n) => no.value = n.currentTarget.checked }),
+      V("label", { class: "check", children: [
+        M("input", { type: "checkbox", checked: Ja.value, onChange: (n) => Ja.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
-      E("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: to.value, onChange: (n) => to.value = n.currentTarget.checked }),
+      V("label", { class: "check", children: [
+        M("input", { type: "checkbox", checked: Qa.value, onChange: (n) => Qa.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var It = Hi("");
-function io({ label: e }) {
-  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: It.value, onInput: (t) => It.value = t.currentTarget.value }) });
+var Zt = Eu("");
+function al({ label: e }) {
+  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Zt.value, onInput: (t) => Zt.value = t.currentTarget.value }) });
 }
-function so() {
-  let e = ao(Di, It.value);
-  return E("div", { class: "listing", children: [
-    M(io, { label: "Filter things" }),
+function ll() {
+  let e = el(Au, Zt.value);
+  return V("div", { class: "listing", children: [
+    M(al, { label: "Filter things" }),
     M(
-      lo,
+      nl,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
-          let [n, a] = e[t];
-          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => eo.value = { kind: "thing", id: n }, onPointerLeave: () => eo.value = null, children: [
-            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Ja(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(At, { name: a.hidden ? "eye-off" : "eye" }) }),
-            M("button", { class: "row-name", onClick: () => oo("thing", n), children: M("span", { children: a.name }) }),
-            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Ja(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(At, { name: a.locked ? "lock" : "unlock" }) })
+          let [n, o] = e[t];
+          return V("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Za.value = { kind: "thing", id: n }, onPointerLeave: () => Za.value = null, children: [
+            M("button", { class: "icon", "aria-pressed": !o.hidden, "aria-label": `${o.name} shown`, onClick: () => za(`${o.hidden ? "Show" : "Hide"} ${o.name}`, { things: { [n]: { hidden: !o.hidden } } }), children: M(jt, { name: o.hidden ? "eye-off" : "eye" }) }),
+            M("button", { class: "row-name", onClick: () => tl("thing", n), children: M("span", { children: o.name }) }),
+            M("button", { class: "icon", "aria-pressed": o.locked, "aria-label": `${o.name} locked`, onClick: () => za(`${o.locked ? "Unlock" : "Lock"} ${o.name}`, { things: { [n]: { locked: !o.locked } } }), children: M(jt, { name: o.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function uo() {
-  let e = ao(qi, It.value);
-  return E("div", { class: "listing", children: [
-    M(io, { label: "Filter materials" }),
+function rl() {
+  let e = el(Tu, Zt.value);
+  return V("div", { class: "listing", children: [
+    M(al, { label: "Filter materials" }),
     M(
-      lo,
+      nl,
       {
         label: "Materials",
         count: e.length,
         height: 28,
         row: (t) => {
-          let [n, a] = e[t];
-          return E("div", { class: "sheet-row material", role: "listitem", children: [
-            M("button", { class: "row-name", onClick: () => oo("material", n), children: M("span", { children: a.name }) }),
-            E("small", { children: [
-              a.kind,
-              a.reflectance != null ? ` · ρ ${Vt(a.reflectance, 2)}` : ""
+          let [n, o] = e[t];
+          return V("div", { class: "sheet-row material", role: "listitem", children: [
+            M("button", { class: "row-name", onClick: () => tl("material", n), children: M("span", { children: o.name }) }),
+            V("small", { children: [
+              o.kind,
+              o.reflectance != null ? ` · ρ ${zt(o.reflectance, 2)}` : ""
             ] })
           ] }, n);
         }
@@ -1354,286 +1582,286 @@ function uo() {
     )
   ] });
 }
-function co() {
-  let e = Ai.value;
-  return E(R, { title: "History", children: [
-    E("p", { children: [
-      e.steps === 1 ? "One step" : `${Vt(e.steps)} steps`,
+function il() {
+  let e = $u.value;
+  return V(A, { title: "History", children: [
+    V("p", { children: [
+      e.steps === 1 ? "One step" : `${zt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => $n("undo"), children: [
-      M(At, { name: "undo" }),
+    V("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => _n("undo"), children: [
+      M(jt, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => $n("redo"), children: [
-      M(At, { name: "redo" }),
+    V("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => _n("redo"), children: [
+      M(jt, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    M("button", { class: "plain full", onClick: () => $n("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => Ti({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => _n("save"), children: "Save a version with a name…" }),
+    M("button", { class: "plain full", onClick: () => Su({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as Ln,
-  edit as go,
-  fromHex as Wi,
-  hex as Gi,
-  Icon as po,
-  materials as fo,
-  middle as mo,
-  select as bo,
-  selection as vo,
-  things as Pn
+  digits as Yn,
+  edit as pl,
+  fromHex as qu,
+  hex as Fu,
+  Icon as sl,
+  materials as ml,
+  middle as ul,
+  select as dl,
+  selection as hl,
+  things as zn
 } from "./desk.js";
-import { Fragment as En, jsx as $, jsxs as X } from "./desk.js";
-var Tn = 180 / Math.PI;
-function ho(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * Tn : 0;
+import { Fragment as Zn, jsx as L, jsxs as j } from "./desk.js";
+var jn = 180 / Math.PI;
+function cl(e, t) {
+  return e ? 2 * Math.atan2(e[t], e[3]) * jn : 0;
 }
-function Ki(e, t) {
-  let n = [0, 0, 0, Math.cos(t / Tn / 2)];
-  return n[e] = Math.sin(t / Tn / 2), n;
+function Hu(e, t) {
+  let n = [0, 0, 0, Math.cos(t / jn / 2)];
+  return n[e] = Math.sin(t / jn / 2), n;
 }
-function yo() {
-  let e = (vo.value?.ids ?? []).filter((u) => Pn.get(u)), t = e.map((u) => Pn.get(u));
-  if (!t.length) return $("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((u) => u.locked), r = (u, s) => go(`${a}: ${u}`, { things: Object.fromEntries(e.map((m, p) => [m, s(t[p])])) }), l = t.map((u) => u.place?.position ?? (u.box ? mo(u.box) : [0, 0, 0])), i = n.box ? [0, 1, 2].map((u) => n.box[1][u] - n.box[0][u]) : null;
-  return X(En, { children: [
-    $("header", { class: "panel-head", children: $("h2", { children: a }) }),
-    i && X("p", { class: "crumbs", children: [
-      i.map((u) => Ln(u, 2)).join(" × "),
+function fl() {
+  let e = (hl.value?.ids ?? []).filter((p) => zn.get(p)), t = e.map((p) => zn.get(p));
+  if (!t.length) return L("p", { class: "quiet empty", children: "This thing is gone." });
+  let n = t[0], o = e.length === 1 ? n.name : `${e.length} things`, a = t.some((p) => p.locked), l = (p, i) => pl(`${o}: ${p}`, { things: Object.fromEntries(e.map((m, c) => [m, i(t[c])])) }), r = t.map((p) => p.place?.position ?? (p.box ? ul(p.box) : [0, 0, 0])), s = n.box ? [0, 1, 2].map((p) => n.box[1][p] - n.box[0][p]) : null;
+  return j(Zn, { children: [
+    L("header", { class: "panel-head", children: L("h2", { children: o }) }),
+    s && j("p", { class: "crumbs", children: [
+      s.map((p) => Yn(p, 2)).join(" × "),
       " m"
     ] }),
-    X("div", { class: "scroll", children: [
-      X("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        X("button", { "aria-pressed": t.every((u) => u.hidden), onClick: () => r(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          $(po, { name: n.hidden ? "eye-off" : "eye" }),
+    j("div", { class: "scroll", children: [
+      j("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
+        j("button", { "aria-pressed": t.every((p) => p.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+          L(sl, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        X("button", { "aria-pressed": o, onClick: () => r(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
-          $(po, { name: o ? "lock" : "unlock" }),
-          o ? "Locked" : "Lock"
+        j("button", { "aria-pressed": a, onClick: () => l(a ? "unlock" : "lock", () => ({ locked: !a })), children: [
+          L(sl, { name: a ? "lock" : "unlock" }),
+          a ? "Locked" : "Lock"
         ] })
       ] }),
-      X(R, { title: "Place", note: "re-trace", children: [
-        o && $("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
-        $(
-          J,
+      j(A, { title: "Place", note: "re-trace", children: [
+        a && L("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
+        L(
+          Q,
           {
             label: "Position",
             quantity: "length",
             step: 0.01,
-            disabled: o,
-            value: [0, 1, 2].map((u) => G(l.map((s) => Math.round(s[u] * 1e4) / 1e4))),
-            set: (u, s) => r("move", (m) => ({ place: { position: se(m.place?.position ?? mo(m.box), u, s) } }))
+            disabled: a,
+            value: [0, 1, 2].map((p) => K(r.map((i) => Math.round(i[p] * 1e4) / 1e4))),
+            set: (p, i) => l("move", (m) => ({ place: { position: ce(m.place?.position ?? ul(m.box), p, i) } }))
           }
         ),
-        [0, 1, 2].map((u) => $(
-          A,
+        [0, 1, 2].map((p) => L(
+          P,
           {
-            label: `Turn ${"XYZ"[u]}`,
+            label: `Turn ${"XYZ"[p]}`,
             quantity: "angle",
             step: 5,
-            disabled: o,
-            value: G(t.map((s) => Math.round(ho(s.place?.rotation, u) * 10) / 10)),
-            set: (s) => r("turn", (m) => ({ place: { rotation: Ki(u, s(ho(m.place?.rotation, u))) } }))
+            disabled: a,
+            value: K(t.map((i) => Math.round(cl(i.place?.rotation, p) * 10) / 10)),
+            set: (i) => l("turn", (m) => ({ place: { rotation: Hu(p, i(cl(m.place?.rotation, p))) } }))
           },
-          u
+          p
         )),
-        $(
-          A,
+        L(
+          P,
           {
             label: "Scale",
             quantity: "number",
             step: 0.05,
-            disabled: o,
-            value: G(t.map((u) => u.place?.scale ?? 1)),
-            set: (u) => r("scale", (s) => ({ place: { scale: Math.max(1e-3, u(s.place?.scale ?? 1)) } }))
+            disabled: a,
+            value: K(t.map((p) => p.place?.scale ?? 1)),
+            set: (p) => l("scale", (i) => ({ place: { scale: Math.max(1e-3, p(i.place?.scale ?? 1)) } }))
           }
         )
       ] }),
-      $(R, { title: "Materials", children: $("ul", { class: "buttons", children: n.materials.map((u) => $("li", { children: $("button", { onClick: () => bo("material", u), children: fo.get(u)?.name ?? `material ${u}` }) }, u)) }) })
+      L(A, { title: "Materials", children: L("ul", { class: "buttons", children: n.materials.map((p) => L("li", { children: L("button", { onClick: () => dl("material", p), children: ml.get(p)?.name ?? `material ${p}` }) }, p)) }) })
     ] })
   ] });
 }
-function ko() {
-  let e = vo.value?.ids[0], t = fo.get(e);
-  if (!t) return $("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (s, m) => go(`${t.name}: ${s}`, { materials: { [e]: m } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], l = ((s) => 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2])(o), i = (s) => o.map((m) => Math.max(0, Math.min(1, l > 1e-4 ? m / l * s : s))), u = (s, m) => t[m] != null && X(En, { children: [
-    X("div", { class: "line slide", children: [
-      $("span", { children: s }),
-      $(Ee, { label: s, name: `${t.name}: ${s.toLowerCase()}`, value: t[m], text: Ln(t[m], 2), patch: (p) => ({ materials: { [e]: { [m]: Math.round(p * 1e3) / 1e3 } } }) })
+function gl() {
+  let e = hl.value?.ids[0], t = ml.get(e);
+  if (!t) return L("p", { class: "quiet empty", children: "This material is gone." });
+  let n = (i, m) => pl(`${t.name}: ${i}`, { materials: { [e]: m } }), o = t.transmittance ? "transmittance" : "color", a = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((i) => 0.2126 * i[0] + 0.7152 * i[1] + 0.0722 * i[2])(a), s = (i) => a.map((m) => Math.max(0, Math.min(1, r > 1e-4 ? m / r * i : i))), p = (i, m) => t[m] != null && j(Zn, { children: [
+    j("div", { class: "line slide", children: [
+      L("span", { children: i }),
+      L(qe, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[m], text: Yn(t[m], 2), patch: (c) => ({ materials: { [e]: { [m]: Math.round(c * 1e3) / 1e3 } } }) })
     ] }),
-    $(A, { label: "", name: `${s}, typed`, quantity: "share", step: 0.01, value: t[m], set: (p) => n(s.toLowerCase(), { [m]: Math.max(0, Math.min(1, p(t[m]))) }) })
+    L(P, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[m], set: (c) => n(i.toLowerCase(), { [m]: Math.max(0, Math.min(1, c(t[m]))) }) })
   ] });
-  return X(En, { children: [
-    $("header", { class: "panel-head", children: $("h2", { children: t.name }) }),
-    $("p", { class: "crumbs", children: t.kind }),
-    X("div", { class: "scroll", children: [
-      X(R, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
-        X("div", { class: "line slide", children: [
-          $("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          $(Ee, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: l, text: Ln(l, 2), patch: (s) => ({ materials: { [e]: { [a]: i(Math.min(0.95, s)) } } }) })
+  return j(Zn, { children: [
+    L("header", { class: "panel-head", children: L("h2", { children: t.name }) }),
+    L("p", { class: "crumbs", children: t.kind }),
+    j("div", { class: "scroll", children: [
+      j(A, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
+        j("div", { class: "line slide", children: [
+          L("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
+          L(qe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: Yn(r, 2), patch: (i) => ({ materials: { [e]: { [o]: s(Math.min(0.95, i)) } } }) })
         ] }),
-        $(A, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(l * 1e3) / 1e3, set: (s) => n("reflectance", { [a]: i(Math.min(0.98, s(l))) }) }),
-        X("label", { class: "line", children: [
-          $("span", { children: "Colour" }),
-          $("input", { type: "color", class: "pick", "aria-label": "Colour", value: Gi(o), onChange: (s) => n("colour", { [a]: Wi(s.currentTarget.value) }) })
+        L(P, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [o]: s(Math.min(0.98, i(r))) }) }),
+        j("label", { class: "line", children: [
+          L("span", { children: "Colour" }),
+          L("input", { type: "color", class: "pick", "aria-label": "Colour", value: Fu(a), onChange: (i) => n("colour", { [o]: qu(i.currentTarget.value) }) })
         ] }),
-        u("Roughness", "roughness"),
-        u("Gloss", "specular")
+        p("Roughness", "roughness"),
+        p("Gloss", "specular")
       ] }),
-      $(R, { title: "On", children: $("ul", { class: "buttons", children: Pn.all().filter(([, s]) => s.materials.includes(e)).slice(0, 40).map(([s, m]) => $("li", { children: $("button", { onClick: () => bo("thing", s), children: m.name }) }, s)) }) })
+      L(A, { title: "On", children: L("ul", { class: "buttons", children: zn.all().filter(([, i]) => i.materials.includes(e)).slice(0, 40).map(([i, m]) => L("li", { children: L("button", { onClick: () => dl("thing", i), children: m.name }) }, i)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as xo, jsx as H, jsxs as qt } from "./desk.js";
-var tt = ["Scene", "Things", "Materials", "History"], ge = _i("Scene");
-function ji() {
-  let e = { Scene: ro, Things: so, Materials: uo, History: co }[ge.value];
-  return qt(xo, { children: [
-    H("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
-      let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
-      a && (n.preventDefault(), n.stopPropagation(), ge.value = tt[(tt.indexOf(ge.value) + a + tt.length) % tt.length], document.getElementById(`tab-${ge.value}`)?.focus());
-    }, children: tt.map((n) => H("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
-    H("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: H(e, {}) })
+import { Fragment as vl, jsx as N, jsxs as Qt } from "./desk.js";
+var rt = ["Scene", "Things", "Materials", "History"], fe = Gu("Scene");
+function Ou() {
+  let e = { Scene: ol, Things: ll, Materials: rl, History: il }[fe.value];
+  return Qt(vl, { children: [
+    N("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
+      let o = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
+      o && (n.preventDefault(), n.stopPropagation(), fe.value = rt[(rt.indexOf(fe.value) + o + rt.length) % rt.length], document.getElementById(`tab-${fe.value}`)?.focus());
+    }, children: rt.map((n) => N("button", { id: `tab-${n}`, role: "tab", "aria-selected": fe.value === n, "aria-controls": "tab-panel", tabIndex: fe.value === n ? 0 : -1, onClick: () => fe.value = n, children: n }, n)) }),
+    N("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${fe.value}`, tabIndex: 0, children: N(e, {}) })
   ] });
 }
-function zi() {
-  let e = Ui.value;
-  return e ? qt(xo, { children: [
-    qt("nav", { class: "chooser", "aria-label": "Selection", children: [
-      H("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => wo("previous"), children: H(Vn, { name: "back" }) }),
-      H("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => wo("next"), children: H(Vn, { name: "forth" }) }),
-      H("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
-      H("span", { class: "gap" }),
-      H("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Bi, children: H(Vn, { name: "close" }) })
+function Wu() {
+  let e = Du.value;
+  return e ? Qt(vl, { children: [
+    Qt("nav", { class: "chooser", "aria-label": "Selection", children: [
+      N("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => bl("previous"), children: N(Qn, { name: "back" }) }),
+      N("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => bl("next"), children: N(Qn, { name: "forth" }) }),
+      N("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
+      N("span", { class: "gap" }),
+      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Nu, children: N(Qn, { name: "close" }) })
     ] }),
-    An.value && H("p", { class: "penless", children: An.value }),
-    qt("fieldset", { class: "editing", disabled: An.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && H(Za, {}),
-      e.kind === "thing" && H(yo, {}),
-      e.kind === "material" && H(ko, {}),
-      e.kind === "meter" && H(Ra, {}),
-      e.kind === "grid" && H(Fa, {})
+    Jn.value && N("p", { class: "penless", children: Jn.value }),
+    Qt("fieldset", { class: "editing", disabled: Jn.value !== null, children: [
+      (e.kind === "lamp" || e.kind === "group") && N(Ya, {}),
+      e.kind === "thing" && N(fl, {}),
+      e.kind === "material" && N(gl, {}),
+      e.kind === "meter" && N(Va, {}),
+      e.kind === "grid" && N(Ea, {})
     ] })
-  ] }) : H(ji, {});
+  ] }) : N(Ou, {});
 }
 
 // src/later/legend.tsx
-import { asked as Xi, candles as Qi, DEFAULT_FALSE as Yi, display as Zi, Field as Ji, looks as es, show as So, three as ts, useRef as ns } from "./desk.js";
-import { Fragment as rs, jsx as j, jsxs as Me } from "./desk.js";
-var In = [1, 2, 5];
-function as(e, t, n) {
-  let a = [];
+import { asked as Ku, candles as Bu, DEFAULT_FALSE as Uu, display as _u, Field as Xu, looks as Yu, show as kl, three as zu, useRef as ju } from "./desk.js";
+import { Fragment as ec, jsx as Y, jsxs as Le } from "./desk.js";
+var eo = [1, 2, 5];
+function Zu(e, t, n) {
+  let o = [];
   if (n === "linear") {
-    let o = (t - e) / 5, r = 10 ** Math.floor(Math.log10(o)), l = r * (In.find((i) => i * r >= o) ?? 10);
-    for (let i = Math.ceil(e / l) * l; i <= t * 1.0001; i += l) a.push(i);
-    return a;
+    let a = (t - e) / 5, l = 10 ** Math.floor(Math.log10(a)), r = l * (eo.find((s) => s * l >= a) ?? 10);
+    for (let s = Math.ceil(e / r) * r; s <= t * 1.0001; s += r) o.push(s);
+    return o;
   }
-  for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
-    for (let r of In) {
-      let l = r * 10 ** o;
-      l >= e * 0.999 && l <= t * 1.001 && a.push(l);
+  for (let a = Math.floor(Math.log10(e)); a <= Math.ceil(Math.log10(t)); a++)
+    for (let l of eo) {
+      let r = l * 10 ** a;
+      r >= e * 0.999 && r <= t * 1.001 && o.push(r);
     }
-  return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
+  return o.length > 10 ? o.filter((a) => Math.abs(Math.log10(a) % 1) < 1e-6) : o;
 }
-function os(e, t) {
+function Qu(e, t) {
   return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
 }
-var ne = (e, t) => {
-  let n = Xi({ ...e, ...t });
-  n.against != null && (n = Qn(n)), n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && So({ false_color: n });
+var ae = (e, t) => {
+  let n = Ku({ ...e, ...t });
+  n.against != null && (n = go(n)), n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && kl({ false_color: n });
 };
-function Mo(e, t) {
-  let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
-  return In[a] * 10 ** ((n - a) / 3);
+function yl(e, t) {
+  let n = Math.round(Math.log10(e) * 3) + t, o = (n % 3 + 3) % 3;
+  return eo[o] * 10 ** ((n - o) / 3);
 }
-function ls() {
-  let e = Zi.value.false_color, t = ns(null);
+function Ju() {
+  let e = _u.value.false_color, t = ju(null);
   if (!e) return null;
-  let n = Qi.value === "fc", a = e.quantity === "difference", o = e.quantity !== "luminance", r = o ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", l = n ? o ? 1 / 10.7639 : 0.2919 : 1, i = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, u = e.ticks ?? as(e.low, e.high, e.scale).map((c) => [c, os(c, e)]), s = (c) => {
-    let g = String(Number(c.toPrecision(2)));
-    return a ? g.replace("-", "−").replace(/^(?=[1-9]|0\.)/, "+") : g;
-  }, m = (c, g, v) => a ? { high: Mo(Math.abs(g), c === "low" ? -v : v) } : { [c]: Mo(g, v) }, p = (c) => ({
-    onPointerDown: (g) => {
-      g.currentTarget.setPointerCapture(g.pointerId), t.current = { y: g.clientY, end: c, from: e[c] };
+  let n = Bu.value === "fc", o = e.quantity === "difference", a = e.quantity !== "luminance", l = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, s = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, p = e.ticks ?? Zu(e.low, e.high, e.scale).map((u) => [u, Qu(u, e)]), i = (u) => {
+    let h = String(Number(u.toPrecision(2)));
+    return o ? h.replace("-", "−").replace(/^(?=[1-9]|0\.)/, "+") : h;
+  }, m = (u, h, v) => o ? { high: yl(Math.abs(h), u === "low" ? -v : v) } : { [u]: yl(h, v) }, c = (u) => ({
+    onPointerDown: (h) => {
+      h.currentTarget.setPointerCapture(h.pointerId), t.current = { y: h.clientY, end: u, from: e[u] };
     },
-    onPointerMove: (g) => {
+    onPointerMove: (h) => {
       let v = t.current;
-      v?.end === c && ne(e, m(c, v.from, Math.round((v.y - g.clientY) / 14)));
+      v?.end === u && ae(e, m(u, v.from, Math.round((v.y - h.clientY) / 14)));
     },
     onPointerUp: () => t.current = null,
     onPointerCancel: () => t.current = null,
-    onKeyDown: (g) => {
-      let v = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[g.key];
-      v && (g.preventDefault(), g.stopPropagation(), ne(e, m(c, e[c], v)));
+    onKeyDown: (h) => {
+      let v = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[h.key];
+      v && (h.preventDefault(), h.stopPropagation(), ae(e, m(u, e[u], v)));
     }
-  }), b = ({ end: c }) => Me("div", { class: "end", children: [
-    j(
+  }), g = ({ end: u }) => Le("div", { class: "end", children: [
+    Y(
       "span",
       {
         class: "grip",
         role: "slider",
         tabIndex: 0,
-        "aria-label": c === "low" ? "Lower end of the legend" : "Upper end of the legend",
-        "aria-valuenow": e[c],
-        "aria-valuemin": a ? -1e6 : 1e-3,
+        "aria-label": u === "low" ? "Lower end of the legend" : "Upper end of the legend",
+        "aria-valuenow": e[u],
+        "aria-valuemin": o ? -1e6 : 1e-3,
         "aria-valuemax": 1e6,
-        "aria-valuetext": `${ts(e[c] * l)} ${r}`,
-        ...p(c)
+        "aria-valuetext": `${zu(e[u] * r)} ${l}`,
+        ...c(u)
       }
     ),
-    a && c === "low" ? j("output", { children: s(e.low * l) }) : j(
-      Ji,
+    o && u === "low" ? Y("output", { children: i(e.low * r) }) : Y(
+      Xu,
       {
-        label: c === "low" ? "Lower end" : "Upper end",
+        label: u === "low" ? "Lower end" : "Upper end",
         quantity: "number",
-        value: Number((e[c] * l).toPrecision(3)),
-        set: (g) => ne(e, { [c]: g(e[c] * l) / l })
+        value: Number((e[u] * r).toPrecision(3)),
+        set: (h) => ae(e, { [u]: h(e[u] * r) / r })
       }
     )
   ] });
-  return Me("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
-    Me("header", { children: [
-      j(
+  return Le("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
+    Le("header", { children: [
+      Y(
         "button",
         {
-          "aria-label": `${r}: ${a ? "difference" : e.quantity}, change`,
-          onClick: () => a ? So({ false_color: Yi }) : ne(e, { quantity: o ? "luminance" : "illuminance" }),
-          children: a ? `Δ ${r}` : r
+          "aria-label": `${l}: ${o ? "difference" : e.quantity}, change`,
+          onClick: () => o ? kl({ false_color: Uu }) : ae(e, { quantity: a ? "luminance" : "illuminance" }),
+          children: o ? `Δ ${l}` : l
         }
       ),
-      !a && j("button", { "aria-pressed": e.scale === "log", onClick: () => ne(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      j("button", { "aria-pressed": e.lines, onClick: () => ne(e, { lines: !e.lines }), children: "lines" })
+      !o && Y("button", { "aria-pressed": e.scale === "log", onClick: () => ae(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      Y("button", { "aria-pressed": e.lines, onClick: () => ae(e, { lines: !e.lines }), children: "lines" })
     ] }),
-    a && Me("p", { class: "quiet", title: e.exact === !1 ? "Lamps that differ in the look share a layer of light: what is shown of them is their mean." : void 0, children: [
+    o && Le("p", { class: "quiet", title: e.exact === !1 ? "Lamps that differ in the look share a layer of light: what is shown of them is their mean." : void 0, children: [
       e.exact === !1 ? "≈ " : "",
       "now − ",
-      es.get(e.against)?.name ?? "look"
+      Yu.get(e.against)?.name ?? "look"
     ] }),
-    j(b, { end: "high" }),
-    j("div", { class: "scale", style: { background: i }, children: u.map(([c, g]) => j("span", { style: { bottom: `${100 * g}%` }, children: s(c * l) }, c)) }),
-    j(b, { end: "low" }),
-    Me("footer", { children: [
-      a ? [50, 500].map((c) => Me("button", { onClick: () => ne(e, { high: c }), children: [
+    Y(g, { end: "high" }),
+    Y("div", { class: "scale", style: { background: s }, children: p.map(([u, h]) => Y("span", { style: { bottom: `${100 * h}%` }, children: i(u * r) }, u)) }),
+    Y(g, { end: "low" }),
+    Le("footer", { children: [
+      o ? [50, 500].map((u) => Le("button", { onClick: () => ae(e, { high: u }), children: [
         "±",
-        c
-      ] }, c)) : Me(rs, { children: [
-        j("button", { onClick: () => ne(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-        j("button", { onClick: () => ne(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" })
+        u
+      ] }, u)) : Le(ec, { children: [
+        Y("button", { onClick: () => ae(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+        Y("button", { onClick: () => ae(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" })
       ] }),
-      j(
+      Y(
         "select",
         {
           "aria-label": "Palette",
           value: e.palette,
-          onChange: (c) => ne(e, { palette: c.currentTarget.value }),
-          children: e.palettes?.map((c) => j("option", { children: c }, c)) ?? j("option", { children: e.palette })
+          onChange: (u) => ae(e, { palette: u.currentTarget.value }),
+          children: e.palettes?.map((u) => Y("option", { children: u }, u)) ?? Y("option", { children: e.palette })
         }
       )
     ] })
@@ -1642,93 +1870,93 @@ function ls() {
 
 // src/later/sheets.tsx
 import {
-  allActions as Fn,
-  act as Io,
-  ask as fs,
-  command as bs,
-  copyText as vs,
-  digits as ys,
-  go as ks,
-  hear as ws,
-  lamps as xs,
-  say as Nt,
-  select as Ms,
-  send as Ft,
-  sheet as at,
-  shown as Ss,
-  signal as ot,
-  useEffect as Hn,
-  useLayoutEffect as Cs,
-  useRef as Dt,
-  walkNames as $s,
-  whyNotTo as Ls
+  allActions as oo,
+  act as Ll,
+  ask as pc,
+  command as mc,
+  copyText as dc,
+  digits as hc,
+  go as fc,
+  hear as gc,
+  lamps as bc,
+  say as nn,
+  select as vc,
+  send as en,
+  sheet as st,
+  shown as yc,
+  signal as ut,
+  useEffect as ao,
+  useLayoutEffect as kc,
+  useRef as on,
+  walkNames as wc,
+  whyNotTo as xc
 } from "./desk.js";
 
 // src/later/csv.ts
-import { add as Co, grids as is, maintenance as ss, meters as us, scale as $o, scene as Lo } from "./desk.js";
-var cs = (e) => {
+import { gridPoint as tc, grids as nc, maintenance as oc, meters as ac, scene as wl } from "./desk.js";
+var lc = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function ps() {
-  let e = ss.peek(), t = [["scene", Lo.peek()?.name ?? ""], ["maintenance factor", e], []];
+function rc() {
+  let e = oc.peek(), t = [["scene", wl.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of us.all())
+  for (let [, n] of ac.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of is.all()) {
+  for (let [, n] of nc.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
-    let a = { mean: n.mean, min: n.min, max: n.max };
-    for (let [o, r] of Object.entries(a)) t.push([o, r == null ? null : r * e]);
-    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, r) => {
-      let [l, i] = [r % n.columns, Math.floor(r / n.columns)], u = Co(n.corner, Co($o(n.u, (l + 0.5) / n.columns), $o(n.v, (i + 0.5) / n.rows)));
-      t.push([...u.map((s) => s.toFixed(3)), o === null ? null : o * e]);
+    let o = { mean: n.mean, min: n.min, max: n.max };
+    for (let [a, l] of Object.entries(o)) t.push([a, l == null ? null : l * e]);
+    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((a, l) => {
+      let r = tc(n, l % n.columns, Math.floor(l / n.columns));
+      t.push([...r.map((s) => s.toFixed(3)), a === null ? null : a * e]);
     });
   }
-  return t.map((n) => n.map(cs).join(",")).join(`\r
+  return t.map((n) => n.map(lc).join(",")).join(`\r
 `) + `\r
 `;
 }
-function qn(e, t) {
+function to(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function Po() {
-  let e = URL.createObjectURL(new Blob([ps()], { type: "text/csv" }));
-  qn(`${Lo.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function xl() {
+  let e = URL.createObjectURL(new Blob([rc()], { type: "text/csv" }));
+  to(`${wl.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Vo = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Rt = new Uint8Array(512), Rn = new Uint8Array(256);
+var Cl = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Jt = new Uint8Array(512), no = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  Rt[e] = Rt[e + 255] = t, Rn[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var To = (e, t) => e && t ? Rt[Rn[e] + Rn[t]] : 0;
-function ms(e, t) {
+  Jt[e] = Jt[e + 255] = t, no[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var Ml = (e, t) => e && t ? Jt[no[e] + no[t]] : 0;
+function ic(e, t) {
   let n = [1];
-  for (let o = 0; o < t; o++) {
-    let r = new Array(n.length + 1).fill(0);
-    n.forEach((l, i) => {
-      r[i] ^= l, r[i + 1] ^= To(l, Rt[o]);
-    }), n = r;
+  for (let a = 0; a < t; a++) {
+    let l = new Array(n.length + 1).fill(0);
+    n.forEach((r, s) => {
+      l[s] ^= r, l[s + 1] ^= Ml(r, Jt[a]);
+    }), n = l;
   }
-  let a = [...e, ...new Array(t).fill(0)];
-  for (let o = 0; o < e.length; o++) {
-    let r = a[o];
-    r && n.forEach((l, i) => a[o + i] ^= To(l, r));
+  let o = [...e, ...new Array(t).fill(0)];
+  for (let a = 0; a < e.length; a++) {
+    let l = o[a];
+    l && n.forEach((r, s) => o[a + s] ^= Ml(r, l));
   }
-  return a.slice(e.length);
+  return o.slice(e.length);
 }
-function ds(e, t) {
-  let [n, a, o] = Vo[t - 1], r = [], l = (b, c) => {
-    for (let g = c - 1; g >= 0; g--) r.push(b >> g & 1);
+function sc(e, t) {
+  let [n, o, a] = Cl[t - 1], l = [], r = (g, u) => {
+    for (let h = u - 1; h >= 0; h--) l.push(g >> h & 1);
   };
-  for (l(4, 4), l(e.length, 8), e.forEach((b) => l(b, 8)), l(0, Math.min(4, n * 8 - r.length)); r.length % 8; ) r.push(0);
-  let i = [];
-  for (let b = 0; b < r.length; b += 8) i.push(parseInt(r.slice(b, b + 8).join(""), 2));
-  for (let b = 236; i.length < n; b ^= 253) i.push(b);
-  let u = n / o, s = Array.from({ length: o }, (b, c) => i.slice(c * u, (c + 1) * u)), m = s.map((b) => ms(b, a)), p = (b) => b[0].flatMap((c, g) => b.map((v) => v[g]));
-  return [...p(s), ...p(m)];
+  for (r(4, 4), r(e.length, 8), e.forEach((g) => r(g, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
+  let s = [];
+  for (let g = 0; g < l.length; g += 8) s.push(parseInt(l.slice(g, g + 8).join(""), 2));
+  for (let g = 236; s.length < n; g ^= 253) s.push(g);
+  let p = n / a, i = Array.from({ length: a }, (g, u) => s.slice(u * p, (u + 1) * p)), m = i.map((g) => ic(g, o)), c = (g) => g[0].flatMap((u, h) => g.map((v) => v[h]));
+  return [...c(i), ...c(m)];
 }
-var hs = [
+var uc = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1738,102 +1966,102 @@ var hs = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function gs(e) {
+function cc(e) {
   let t = 8 | e, n = t << 10;
-  for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
+  for (let o = 14; o >= 10; o--) n >> o & 1 && (n ^= 1335 << o - 10);
   return (t << 10 | n) ^ 21522;
 }
-function Eo(e) {
-  let t = e.length, n = 0, a = 0;
-  for (let o of [!1, !0])
-    for (let r = 0; r < t; r++) {
-      let l = Array.from({ length: t }, (s, m) => o ? e[m][r] : e[r][m]), i = 1;
-      for (let s = 1; s <= t; s++)
-        s < t && l[s] === l[s - 1] ? i++ : (i >= 5 && (n += i - 2), i = 1);
-      let u = l.map(Number).join("");
-      for (let s = 0; s + 11 <= t; s++) {
-        let m = u.slice(s, s + 11);
+function Sl(e) {
+  let t = e.length, n = 0, o = 0;
+  for (let a of [!1, !0])
+    for (let l = 0; l < t; l++) {
+      let r = Array.from({ length: t }, (i, m) => a ? e[m][l] : e[l][m]), s = 1;
+      for (let i = 1; i <= t; i++)
+        i < t && r[i] === r[i - 1] ? s++ : (s >= 5 && (n += s - 2), s = 1);
+      let p = r.map(Number).join("");
+      for (let i = 0; i + 11 <= t; i++) {
+        let m = p.slice(i, i + 11);
         (m === "10111010000" || m === "00001011101") && (n += 40);
       }
     }
-  for (let o = 0; o < t; o++)
-    for (let r = 0; r < t; r++)
-      e[o][r] && a++, r && o && e[o][r] === e[o - 1][r] && e[o][r] === e[o][r - 1] && e[o][r] === e[o - 1][r - 1] && (n += 3);
-  return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
+  for (let a = 0; a < t; a++)
+    for (let l = 0; l < t; l++)
+      e[a][l] && o++, l && a && e[a][l] === e[a - 1][l] && e[a][l] === e[a][l - 1] && e[a][l] === e[a - 1][l - 1] && (n += 3);
+  return n + 10 * Math.floor(Math.abs(o * 20 / (t * t) - 10));
 }
-function Ao(e) {
-  let t = [...new TextEncoder().encode(e)], n = Vo.findIndex(([c]) => t.length + 2 <= c) + 1;
+function $l(e) {
+  let t = [...new TextEncoder().encode(e)], n = Cl.findIndex(([u]) => t.length + 2 <= u) + 1;
   if (!n) return null;
-  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), r = Array.from({ length: a }, () => new Array(a).fill(!1)), l = (c, g, v) => {
-    c < 0 || g < 0 || c >= a || g >= a || (o[g][c] = v, r[g][c] = !0);
+  let o = 17 + 4 * n, a = Array.from({ length: o }, () => new Array(o).fill(!1)), l = Array.from({ length: o }, () => new Array(o).fill(!1)), r = (u, h, v) => {
+    u < 0 || h < 0 || u >= o || h >= o || (a[h][u] = v, l[h][u] = !0);
   };
-  for (let c = 0; c < a; c++)
-    l(c, 6, c % 2 === 0), l(6, c, c % 2 === 0);
-  for (let [c, g] of [[3, 3], [a - 4, 3], [3, a - 4]])
+  for (let u = 0; u < o; u++)
+    r(u, 6, u % 2 === 0), r(6, u, u % 2 === 0);
+  for (let [u, h] of [[3, 3], [o - 4, 3], [3, o - 4]])
     for (let v = -4; v <= 4; v++)
-      for (let V = -4; V <= 4; V++) {
-        let B = Math.max(Math.abs(V), Math.abs(v));
-        l(c + V, g + v, B !== 2 && B !== 4);
+      for (let E = -4; E <= 4; E++) {
+        let H = Math.max(Math.abs(E), Math.abs(v));
+        r(u + E, h + v, H !== 2 && H !== 4);
       }
   if (n > 1) {
-    let c = a - 7;
-    for (let g = -2; g <= 2; g++) for (let v = -2; v <= 2; v++) l(c + v, c + g, Math.max(Math.abs(v), Math.abs(g)) !== 1);
+    let u = o - 7;
+    for (let h = -2; h <= 2; h++) for (let v = -2; v <= 2; v++) r(u + v, u + h, Math.max(Math.abs(v), Math.abs(h)) !== 1);
   }
-  let i = (c) => {
-    let g = gs(c);
+  let s = (u) => {
+    let h = cc(u);
     for (let v = 0; v < 15; v++) {
-      let V = (g >> v & 1) === 1, B = v < 6 ? v : v < 8 ? v + 1 : a - 15 + v;
-      l(8, B, V), l(v < 8 ? a - 1 - v : v < 9 ? 7 : 14 - v, 8, V);
+      let E = (h >> v & 1) === 1, H = v < 6 ? v : v < 8 ? v + 1 : o - 15 + v;
+      r(8, H, E), r(v < 8 ? o - 1 - v : v < 9 ? 7 : 14 - v, 8, E);
     }
-    l(8, a - 8, !0);
+    r(8, o - 8, !0);
   };
-  i(0);
-  let u = ds(t, n), s = 0;
-  for (let c = a - 1; c > 0; c -= 2) {
-    c === 6 && (c = 5);
-    for (let g = 0; g < a; g++)
-      for (let v of [c, c - 1]) {
-        let B = (c + 1 & 2) === 0 ? a - 1 - g : g;
-        r[B][v] || (o[B][v] = s < u.length * 8 && (u[s >> 3] >> 7 - (s & 7) & 1) === 1, s++);
+  s(0);
+  let p = sc(t, n), i = 0;
+  for (let u = o - 1; u > 0; u -= 2) {
+    u === 6 && (u = 5);
+    for (let h = 0; h < o; h++)
+      for (let v of [u, u - 1]) {
+        let H = (u + 1 & 2) === 0 ? o - 1 - h : h;
+        l[H][v] || (a[H][v] = i < p.length * 8 && (p[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
       }
   }
-  let m = (c) => (i(c), o.map((g, v) => g.map((V, B) => V !== (!r[v][B] && hs[c](B, v))))), p = m(0), b = Eo(p);
-  for (let c = 1; c < 8; c++) {
-    let g = m(c), v = Eo(g);
-    v < b && ([p, b] = [g, v]);
+  let m = (u) => (s(u), a.map((h, v) => h.map((E, H) => E !== (!l[v][H] && uc[u](H, v))))), c = m(0), g = Sl(c);
+  for (let u = 1; u < 8; u++) {
+    let h = m(u), v = Sl(h);
+    v < g && ([c, g] = [h, v]);
   }
-  return p;
+  return c;
 }
 
 // src/later/sheets.tsx
-import { Fragment as Hs, jsx as h, jsxs as L } from "./desk.js";
-function lt({ title: e, wide: t, children: n }) {
-  let a = Dt(null);
-  Cs(() => {
-    let r = a.current, l = document.activeElement;
-    return r.open || r.showModal(), () => l?.focus();
+import { Fragment as Ic, jsx as f, jsxs as T } from "./desk.js";
+function ct({ title: e, wide: t, children: n }) {
+  let o = on(null);
+  kc(() => {
+    let l = o.current, r = document.activeElement;
+    return l.open || l.showModal(), () => r?.focus();
   }, []);
-  let o = () => at.value = null;
-  return h(
+  let a = () => st.value = null;
+  return f(
     "dialog",
     {
-      ref: a,
+      ref: o,
       class: t ? "sheet wide-sheet" : "sheet",
       "aria-label": e,
-      onClose: o,
-      onClick: (r) => r.target === a.current && o(),
-      children: L("div", { class: "sheet-body", children: [
-        L("header", { children: [
-          h("h2", { children: e }),
-          h("span", { class: "gap" }),
-          h("button", { onClick: o, children: "Close" })
+      onClose: a,
+      onClick: (l) => l.target === o.current && a(),
+      children: T("div", { class: "sheet-body", children: [
+        T("header", { children: [
+          f("h2", { children: e }),
+          f("span", { class: "gap" }),
+          f("button", { onClick: a, children: "Close" })
         ] }),
         n
       ] })
     }
   );
 }
-var Ps = [
+var Mc = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -1847,72 +2075,72 @@ var Ps = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function Ts() {
-  let e = [...new Set(Fn().map((t) => t.group))];
-  return h(lt, { title: "All keys", wide: !0, children: L("div", { class: "help", children: [
-    L("table", { children: [
-      h("caption", { class: "spoken", children: "By hand" }),
-      h("thead", { children: L("tr", { children: [
-        h("th", { scope: "col", children: "What" }),
-        h("th", { scope: "col", children: "Mouse" }),
-        h("th", { scope: "col", children: "Keys, in the view" }),
-        h("th", { scope: "col", children: "Fingers" })
+function Sc() {
+  let e = [...new Set(oo().map((t) => t.group))];
+  return f(ct, { title: "All keys", wide: !0, children: T("div", { class: "help", children: [
+    T("table", { children: [
+      f("caption", { class: "spoken", children: "By hand" }),
+      f("thead", { children: T("tr", { children: [
+        f("th", { scope: "col", children: "What" }),
+        f("th", { scope: "col", children: "Mouse" }),
+        f("th", { scope: "col", children: "Keys, in the view" }),
+        f("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      h("tbody", { children: Ps.map(([t, n, a, o]) => L("tr", { children: [
-        h("th", { scope: "row", children: t }),
-        h("td", { children: n }),
-        h("td", { children: a.replace("walking keys", $s.value) }),
-        h("td", { children: o })
+      f("tbody", { children: Mc.map(([t, n, o, a]) => T("tr", { children: [
+        f("th", { scope: "row", children: t }),
+        f("td", { children: n }),
+        f("td", { children: o.replace("walking keys", wc.value) }),
+        f("td", { children: a })
       ] }, t)) })
     ] }),
-    L("div", { class: "columns", children: [
-      e.map((t) => L("section", { children: [
-        h("h3", { children: t }),
-        h("dl", { children: Fn().filter((n) => n.group === t && n.keys).map((n) => L(Hs, { children: [
-          h("dt", { children: n.label }),
-          h("dd", { children: h("kbd", { children: n.keys }) })
+    T("div", { class: "columns", children: [
+      e.map((t) => T("section", { children: [
+        f("h3", { children: t }),
+        f("dl", { children: oo().filter((n) => n.group === t && n.keys).map((n) => T(Ic, { children: [
+          f("dt", { children: n.label }),
+          f("dd", { children: f("kbd", { children: n.keys }) })
         ] })) })
       ] }, t)),
-      L("section", { children: [
-        h("h3", { children: "Numbers" }),
-        L("dl", { children: [
-          h("dt", { children: "Level" }),
-          h("dd", { children: "80 %, 450 lm, *0.8, +10, -1/2 stop, full, out" }),
-          h("dt", { children: "Colour" }),
-          h("dd", { children: "2700K" }),
-          h("dt", { children: "Length" }),
-          h("dd", { children: `2.4m, 75cm, 8'2", +=0.1` }),
-          h("dt", { children: "Angle" }),
-          h("dd", { children: "30°" })
+      T("section", { children: [
+        f("h3", { children: "Numbers" }),
+        T("dl", { children: [
+          f("dt", { children: "Level" }),
+          f("dd", { children: "80 %, 450 lm, *0.8, +10, -1/2 stop, full, out" }),
+          f("dt", { children: "Colour" }),
+          f("dd", { children: "2700K" }),
+          f("dt", { children: "Length" }),
+          f("dd", { children: `2.4m, 75cm, 8'2", +=0.1` }),
+          f("dt", { children: "Angle" }),
+          f("dd", { children: "30°" })
         ] })
       ] })
     ] })
   ] }) });
 }
-var Ht = ot(""), nt = ot(0);
-function Es() {
-  let e = Ht.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = Fn().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: Ls(a.id), run: () => Io(a.id) }));
-  for (let { name: a, camera: o } of bt())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => ks(o, a) });
+var tn = ut(""), it = ut(0);
+function Cc() {
+  let e = tn.value.toLowerCase().split(/\s+/).filter(Boolean), t = (o) => e.every((a) => o.toLowerCase().includes(a)), n = oo().filter((o) => t(`${o.group} ${o.label}`)).map((o) => ({ label: o.label, note: o.keys ?? o.group, why: xc(o.id), run: () => Ll(o.id) }));
+  for (let { name: o, camera: a } of At())
+    t(`view ${o}`) && n.push({ label: `View: ${o}`, note: "view", why: null, run: () => fc(a, o) });
   if (e.length)
-    for (let [a, o] of xs.all()) {
+    for (let [o, a] of bc.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => Ms("lamp", a) });
+      t(a.name) && n.push({ label: a.name, note: "lamp", why: null, run: () => vc("lamp", o) });
     }
   return n.slice(0, 60);
 }
-function Vs() {
-  let e = Es(), t = Math.min(nt.value, e.length - 1);
-  Hn(() => {
-    Ht.value = "", nt.value = 0;
-  }, []), Hn(() => {
+function $c() {
+  let e = Cc(), t = Math.min(it.value, e.length - 1);
+  ao(() => {
+    tn.value = "", it.value = 0;
+  }, []), ao(() => {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
-  let n = (a) => {
-    a && (at.value = null, a.why ? Nt(a.why, "warn") : setTimeout(a.run, 0));
+  let n = (o) => {
+    o && (st.value = null, o.why ? nn(o.why, "warn") : setTimeout(o.run, 0));
   };
-  return L(lt, { title: "Command palette", children: [
-    h(
+  return T(ct, { title: "Command palette", children: [
+    f(
       "input",
       {
         type: "text",
@@ -1925,508 +2153,467 @@ function Vs() {
         "aria-autocomplete": "list",
         autofocus: !0,
         placeholder: "What shall be done?",
-        value: Ht.value,
-        onInput: (a) => {
-          Ht.value = a.currentTarget.value, nt.value = 0;
+        value: tn.value,
+        onInput: (o) => {
+          tn.value = o.currentTarget.value, it.value = 0;
         },
-        onKeyDown: (a) => {
-          let o = { ArrowDown: 1, ArrowUp: -1 }[a.key];
-          o && (a.preventDefault(), nt.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
+        onKeyDown: (o) => {
+          let a = { ArrowDown: 1, ArrowUp: -1 }[o.key];
+          a && (o.preventDefault(), it.value = (t + a + e.length) % Math.max(1, e.length)), o.key === "Enter" && (o.preventDefault(), n(e[t]));
         }
       }
     ),
-    L("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
-      e.map((a, o) => L(
+    T("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
+      e.map((o, a) => T(
         "li",
         {
-          id: `command-${o}`,
+          id: `command-${a}`,
           role: "option",
-          "aria-selected": o === t,
-          "aria-disabled": a.why !== null,
-          title: a.why ?? void 0,
-          onPointerMove: () => nt.value = o,
-          onClick: () => n(a),
+          "aria-selected": a === t,
+          "aria-disabled": o.why !== null,
+          title: o.why ?? void 0,
+          onPointerMove: () => it.value = a,
+          onClick: () => n(o),
           children: [
-            h("span", { children: a.label }),
-            h("kbd", { children: a.note })
+            f("span", { children: o.label }),
+            f("kbd", { children: o.note })
           ]
         },
-        a.label + o
+        o.label + a
       )),
-      !e.length && h("li", { class: "quiet", role: "option", "aria-selected": "false", "aria-disabled": "true", children: "Nothing is called so." })
+      !e.length && f("li", { class: "quiet", role: "option", "aria-selected": "false", "aria-disabled": "true", children: "Nothing is called so." })
     ] })
   ] });
 }
-var qo = ot([]);
-ws("links", (e) => qo.value = e.links);
-function As({ text: e }) {
-  let t = Ao(e);
+var Tl = ut([]);
+gc("links", (e) => Tl.value = e.links);
+function Lc({ text: e }) {
+  let t = $l(e);
   if (!t) return null;
-  let n = t.length + 8, a = t.map((o, r) => o.map((l, i) => l ? `M${i + 4} ${r + 4}h1v1h-1z` : "").join("")).join("");
-  return L("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
-    h("rect", { width: n, height: n, fill: "#fff" }),
-    h("path", { d: a, fill: "#000" })
+  let n = t.length + 8, o = t.map((a, l) => a.map((r, s) => r ? `M${s + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
+  return T("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
+    f("rect", { width: n, height: n, fill: "#fff" }),
+    f("path", { d: o, fill: "#000" })
   ] });
 }
-function Is() {
-  let e = ot(null), t = Dt(e).current;
-  return Hn(() => {
-    Ft({ do: "links", what: "list" });
-  }, []), L(lt, { title: "Share by link", children: [
-    h("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    h("ul", { class: "links", children: qo.value.map((n) => L("li", { children: [
-      h("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
-      h("code", { children: n.address }),
-      L("span", { class: "buttons", children: [
-        h("button", { onClick: () => {
-          vs(n.address);
+function Tc() {
+  let e = ut(null), t = on(e).current;
+  return ao(() => {
+    en({ do: "links", what: "list" });
+  }, []), T(ct, { title: "Share by link", children: [
+    f("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
+    f("ul", { class: "links", children: Tl.value.map((n) => T("li", { children: [
+      f("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
+      f("code", { children: n.address }),
+      T("span", { class: "buttons", children: [
+        f("button", { onClick: () => {
+          dc(n.address);
         }, children: "Copy" }),
-        h("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
-        h("button", { onClick: () => Ft({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
+        f("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
+        f("button", { onClick: () => en({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && h(As, { text: n.address })
+      t.value === n.id && f(Lc, { text: n.address })
     ] }, n.id)) }),
-    L("footer", { children: [
-      h("button", { onClick: () => Ft({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
-      h("button", { onClick: () => Ft({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
+    T("footer", { children: [
+      f("button", { onClick: () => en({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
+      f("button", { onClick: () => en({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
     ] })
   ] });
 }
-function qs() {
-  let e = Dt(null), t = () => {
+function Pc() {
+  let e = on(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    bs({ do: "save", name: n }), at.value = null, Nt(`Saving the version “${n}”.`);
+    mc({ do: "save", name: n }), st.value = null, nn(`Saving the version “${n}”.`);
   };
-  return L(lt, { title: "Save a version", children: [
-    h("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
-    L("label", { class: "line", children: [
-      h("span", { children: "Name" }),
-      h("span", { class: "field", children: h("input", { ref: e, type: "text", autofocus: !0, maxLength: 120, onKeyDown: (n) => n.key === "Enter" && t() }) })
+  return T(ct, { title: "Save a version", children: [
+    f("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
+    T("label", { class: "line", children: [
+      f("span", { children: "Name" }),
+      f("span", { class: "field", children: f("input", { ref: e, type: "text", autofocus: !0, maxLength: 120, onKeyDown: (n) => n.key === "Enter" && t() }) })
     ] }),
-    h("footer", { children: h("button", { onClick: t, children: "Save" }) })
+    f("footer", { children: f("button", { onClick: t, children: "Save" }) })
   ] });
 }
-var ee = ot(null);
-function Rs() {
-  let e = Ss.value?.head, t = Dt(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
-    ee.value = 0;
-    let [o, r] = [Number(n("width")), Number(n("height"))];
-    fs("picture", { format: n("format"), width: o, height: r, batches: Number(n("batches")) }, (l) => {
-      l.why ? (ee.value = null, Nt(l.why, "warn")) : l.url ? (ee.value = null, qn(l.name, l.url), at.value = null) : ee.value = l.progress ?? 0;
-    }, (l) => {
-      ee.value = null, Nt(l, "warn");
+var te = ut(null);
+function Vc() {
+  let e = yc.value?.head, t = on(null), n = (a) => t.current?.querySelector(`[name=${a}]`)?.value ?? "", o = () => {
+    te.value = 0;
+    let [a, l] = [Number(n("width")), Number(n("height"))];
+    pc("picture", { format: n("format"), width: a, height: l, batches: Number(n("batches")) }, (r) => {
+      r.why ? (te.value = null, nn(r.why, "warn")) : r.url ? (te.value = null, to(r.name, r.url), st.value = null) : te.value = r.progress ?? 0;
+    }, (r) => {
+      te.value = null, nn(r, "warn");
     });
   };
-  return L(lt, { title: "Save the picture", children: [
-    L("div", { ref: t, class: "form", children: [
-      L("label", { class: "line", children: [
-        h("span", { children: "Format" }),
-        L("select", { name: "format", children: [
-          h("option", { value: "png", children: "PNG, as it is shown" }),
-          h("option", { value: "exr", children: "EXR, the light itself" })
+  return T(ct, { title: "Save the picture", children: [
+    T("div", { ref: t, class: "form", children: [
+      T("label", { class: "line", children: [
+        f("span", { children: "Format" }),
+        T("select", { name: "format", children: [
+          f("option", { value: "png", children: "PNG, as it is shown" }),
+          f("option", { value: "exr", children: "EXR, the light itself" })
         ] })
       ] }),
-      L("label", { class: "line", children: [
-        h("span", { children: "Width" }),
-        h("input", { type: "number", name: "width", min: 16, max: 16384, value: Math.max(e?.width ?? 0, 640) })
+      T("label", { class: "line", children: [
+        f("span", { children: "Width" }),
+        f("input", { type: "number", name: "width", min: 16, max: 16384, value: Math.max(e?.width ?? 0, 640) })
       ] }),
-      L("label", { class: "line", children: [
-        h("span", { children: "Height" }),
-        h("input", { type: "number", name: "height", min: 16, max: 16384, value: Math.max(e?.height ?? 0, 480) })
+      T("label", { class: "line", children: [
+        f("span", { children: "Height" }),
+        f("input", { type: "number", name: "height", min: 16, max: 16384, value: Math.max(e?.height ?? 0, 480) })
       ] }),
-      L("label", { class: "line", children: [
-        h("span", { children: "Batches" }),
-        h("input", { type: "number", name: "batches", min: 1, max: 1e5, value: 64 })
+      T("label", { class: "line", children: [
+        f("span", { children: "Batches" }),
+        f("input", { type: "number", name: "batches", min: 1, max: 1e5, value: 64 })
       ] })
     ] }),
-    ee.value !== null && h("progress", { max: 1, value: ee.value, "aria-label": "Rendering" }),
-    L("footer", { children: [
-      h("button", { onClick: () => Io("command"), children: "Copy the command" }),
-      h("button", { disabled: ee.value !== null, onClick: a, children: ee.value === null ? "Render and save" : ee.value ? `${ys(ee.value * 100)} %` : "Rendering…" })
+    te.value !== null && f("progress", { max: 1, value: te.value, "aria-label": "Rendering" }),
+    T("footer", { children: [
+      f("button", { onClick: () => Ll("command"), children: "Copy the command" }),
+      f("button", { disabled: te.value !== null, onClick: o, children: te.value === null ? "Render and save" : te.value ? `${hc(te.value * 100)} %` : "Rendering…" })
     ] })
   ] });
 }
-function Fs() {
-  switch (at.value) {
+function Ec() {
+  switch (st.value) {
     case "help":
-      return h(Ts, {});
+      return f(Sc, {});
     case "palette":
-      return h(Vs, {});
+      return f($c, {});
     case "share":
-      return h(Is, {});
+      return f(Tc, {});
     case "save":
-      return h(qs, {});
+      return f(Pc, {});
     case "picture":
-      return h(Rs, {});
+      return f(Vc, {});
     default:
       return null;
   }
 }
 
 // src/later/sheetrow.tsx
-import {
-  act as Ns,
-  colorText as Ro,
-  cost as Ds,
-  css as Os,
-  Field as Ws,
-  groups as Gs,
-  hovered as Ot,
-  Icon as Ks,
-  lamps as Bs,
-  lumensOf as Us,
-  penless as _s,
-  pickRow as js,
-  select as zs,
-  selection as Fo,
-  switchOn as Xs,
-  three as Qs,
-  typeGroupLevel as Ys,
-  typeLevel as Zs
-} from "./desk.js";
-import { jsx as Y, jsxs as Nn } from "./desk.js";
-function Js() {
-  return Nn("div", { class: "sheet-row head", "aria-hidden": "true", children: [
-    Y("span", {}),
-    Y("span", { children: "Name" }),
-    Y("span", { children: "Level" }),
-    Y("span", { children: "lm" }),
-    Y("span", { children: "White" })
+import { act as Ac, colorText as Pl, cost as Rc, css as qc, LevelField as Fc, listed as Hc, pickRow as Nc, Power as Dc, select as Gc, three as Oc } from "./desk.js";
+import { jsx as J, jsxs as lo } from "./desk.js";
+function Wc() {
+  return lo("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+    J("span", {}),
+    J("span", { children: "Name" }),
+    J("span", { children: "Level" }),
+    J("span", { children: "lm" }),
+    J("span", { children: "White" })
   ] });
 }
-function eu({ row: e, index: t, count: n }) {
-  let a = e.kind === "lamp" ? Bs.get(e.id) : void 0, o = e.kind === "group" ? Gs.get(e.id) : void 0, r = a ?? o;
-  if (!r) return null;
-  let l = Fo.value?.kind === e.kind && Fo.value.ids.includes(e.id), i = Us(o?.lamps ?? [e.id]), u = _s.value, s = Ot.value?.kind === e.kind && Ot.value.id === e.id;
-  return Nn(
-    "div",
-    {
-      class: `sheet-row depth-${e.depth} ${e.kind} ${l ? "selected" : ""} ${r.on ? "" : "off"} ${s ? "under" : ""}`,
-      role: "listitem",
-      "aria-setsize": n,
-      "aria-posinset": t + 1,
-      "data-row": `${e.kind}-${e.id}`,
-      onPointerEnter: () => Ot.value = { kind: e.kind, id: e.id },
-      onPointerLeave: () => Ot.value = null,
-      children: [
-        Y("button", { class: "icon power", "aria-pressed": r.on, disabled: u !== null, title: u ?? void 0, "aria-label": `${r.name} on`, onClick: () => Xs(e, !r.on), children: Y(Ks, { name: "power" }) }),
-        Y("button", { class: "row-name", "aria-pressed": l, title: a ? Ds(a) : void 0, onClick: (m) => js(m, e.kind, e.id), onDblClick: () => Ns("frame"), children: Y("span", { children: r.name }) }),
-        Y(
-          Ws,
-          {
-            label: `${r.name} level`,
-            quantity: "level",
-            value: r.level,
-            flux: a?.flux,
-            step: 0.01,
-            disabled: u !== null,
-            why: u,
-            set: (m) => a ? Zs([e.id], m) : Ys(e.id, m)
-          }
-        ),
-        Y("span", { class: "lumens", children: Qs(i) }),
-        a ? Nn("button", { class: "tint", "aria-label": `${r.name} colour: ${Ro(a)}`, onClick: () => zs("lamp", e.id), children: [
-          Y("i", { class: "swatch", style: { background: Os(a.swatch) } }),
-          Ro(a)
-        ] }) : Y("span", {})
-      ]
-    }
-  );
+function Kc({ row: e, index: t, count: n }) {
+  let o = Hc(e, t, n);
+  if (!o) return null;
+  let { lamp: a, entry: l } = o;
+  return lo("div", { class: `sheet-row ${o.state}`, ...o.frame, children: [
+    J(Dc, { of: o }),
+    J("button", { class: "row-name", "aria-pressed": o.selected, title: a ? Rc(a) : void 0, onClick: (r) => Nc(r, e.kind, e.id), onDblClick: () => Ac("frame"), children: J("span", { children: l.name }) }),
+    J(Fc, { of: o, label: "level" }),
+    J("span", { class: "lumens", children: Oc(o.lumens) }),
+    a ? lo("button", { class: "tint", "aria-label": `${l.name} colour: ${Pl(a)}`, onClick: () => Gc("lamp", e.id), children: [
+      J("i", { class: "swatch", style: { background: qc(a.swatch) } }),
+      Pl(a)
+    ] }) : J("span", {})
+  ] });
 }
 
 // src/later/strip.tsx
 import {
-  act as Dn,
-  command as Ko,
-  digits as On,
-  display as tu,
-  fade as Wt,
-  Field as Bo,
-  grids as Ho,
-  Icon as De,
-  looks as No,
-  luxText as fe,
-  maintenance as nu,
-  meters as Do,
-  select as Oo,
-  selection as Gt,
-  show as au,
-  signal as ou,
-  signed as lu,
-  status as Wn,
-  storeLook as ru
+  act as ro,
+  command as Fl,
+  digits as io,
+  display as Bc,
+  fade as an,
+  Field as Hl,
+  grids as Vl,
+  Icon as Ke,
+  looks as El,
+  luxText as Il,
+  maintained as We,
+  maintenance as Uc,
+  meters as Al,
+  select as Rl,
+  selection as ln,
+  show as _c,
+  signal as Xc,
+  signed as Yc,
+  storeLook as zc
 } from "./desk.js";
-import { Fragment as pu, jsx as x, jsxs as F } from "./desk.js";
-var Gn = ou("looks");
-function iu() {
+import { Fragment as ep, jsx as x, jsxs as F } from "./desk.js";
+var so = Xc("looks");
+function jc() {
   return F("section", { class: "looks", "aria-label": "Looks", children: [
     F("header", { children: [
       x("h2", { children: "Looks" }),
-      x("button", { class: "tab", onClick: () => Gn.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: ru, children: x(De, { name: "plus" }) }),
+      x("button", { class: "tab", onClick: () => so.value = "meters", children: "Meters" }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: zc, children: x(Ke, { name: "plus" }) }),
       x("span", { class: "gap" }),
       F("label", { class: "tint", children: [
         "Fade",
-        x(Bo, { label: "Cross-fade", quantity: "seconds", value: Wt.value, step: 0.5, set: (e) => Wt.value = Math.max(0, e(Wt.value)) })
+        x(Hl, { label: "Cross-fade", quantity: "seconds", value: an.value, step: 0.5, set: (e) => an.value = Math.max(0, e(an.value)) })
       ] })
     ] }),
     F("ul", { children: [
-      No.all().map(([e, t], n) => F("li", { class: "look", children: [
-        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Ko({ do: "look", id: e, what: "recall", seconds: Wt.peek() }), children: [
+      El.all().map(([e, t], n) => F("li", { class: "look", children: [
+        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Fl({ do: "look", id: e, what: "recall", seconds: an.peek() }), children: [
           t.picture && x("img", { src: t.picture, alt: t.name, width: 96, height: 72 }),
           x("span", { "aria-hidden": t.picture ? "true" : void 0, children: t.name })
         ] }),
-        x(su, { id: e, name: t.name })
+        x(Zc, { id: e, name: t.name })
       ] }, e)),
-      !No.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !El.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function su({ id: e, name: t }) {
-  let n = `look-${e}`, a = (u) => {
-    let s = u.getBoundingClientRect(), m = document.getElementById(n);
-    m?.style.setProperty("left", `${Math.min(s.left, innerWidth - 296)}px`), m?.style.setProperty("bottom", `${innerHeight - s.top + 4}px`), m?.style.setProperty("top", "auto");
-  }, o = tu.value.false_color?.against === e, r = { popovertarget: n }, l = () => document.getElementById(n)?.hidePopover(), i = (u, s = {}) => {
-    l(), Ko({ do: "look", id: e, what: u, ...s });
+function Zc({ id: e, name: t }) {
+  let n = `look-${e}`, o = (p) => {
+    let i = p.getBoundingClientRect(), m = document.getElementById(n);
+    m?.style.setProperty("left", `${Math.min(i.left, innerWidth - 296)}px`), m?.style.setProperty("bottom", `${innerHeight - i.top + 4}px`), m?.style.setProperty("top", "auto");
+  }, a = Bc.value.false_color?.against === e, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), s = (p, i = {}) => {
+    r(), Fl({ do: "look", id: e, what: p, ...i });
   };
-  return F(pu, { children: [
-    x("button", { class: "icon more", ...r, "aria-label": `More of ${t}`, onPointerDown: (u) => a(u.currentTarget), onFocus: (u) => a(u.currentTarget), children: x(De, { name: "more" }) }),
+  return F(ep, { children: [
+    x("button", { class: "icon more", ...l, "aria-label": `More of ${t}`, onPointerDown: (p) => o(p.currentTarget), onFocus: (p) => o(p.currentTarget), children: x(Ke, { name: "more" }) }),
     F("div", { id: n, popover: "auto", class: "menu", children: [
       F("label", { class: "line", children: [
         x("span", { children: "Name" }),
-        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (u) => i("rename", { name: u.currentTarget.value }) }) })
+        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (p) => s("rename", { name: p.currentTarget.value }) }) })
       ] }),
-      x("button", { class: "item", onClick: () => i("update"), children: x("span", { children: "Update to what is set now" }) }),
-      x("button", { class: "item", onClick: () => i("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
+      x("button", { class: "item", onClick: () => s("update"), children: x("span", { children: "Update to what is set now" }) }),
+      x("button", { class: "item", onClick: () => s("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
       x(
         "button",
         {
           class: "item",
           onClick: () => {
-            l(), au({ false_color: o ? null : ct(e) });
+            r(), _c({ false_color: a ? null : ft(e) });
           },
-          children: x("span", { children: o ? "End the difference" : "Difference to now" })
+          children: x("span", { children: a ? "End the difference" : "Difference to now" })
         }
       ),
-      x("button", { class: "item", onClick: () => i("remove"), children: x("span", { children: "Remove" }) })
+      x("button", { class: "item", onClick: () => s("remove"), children: x("span", { children: "Remove" }) })
     ] })
   ] });
 }
-var Wo = () => Wn.value?.stage === "moving" || Wn.value?.stage === "refining" || Wn.value?.stage === "loading", Go = (e, t) => e == null ? "" : ` · Δ ${lu(e * t)}`;
-function uu() {
-  let e = nu.value;
+var ql = (e, t) => e == null ? "" : ` · Δ ${Yc(e * t)}`;
+function Qc() {
+  let e = Uc.value;
   return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
     F("header", { children: [
       x("h2", { children: "Meters" }),
-      x("button", { class: "tab", onClick: () => Gn.value = "looks", children: "Looks" }),
-      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => Dn("meter-tool"), children: x(De, { name: "meter" }) }),
-      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => Dn("grid"), children: x(De, { name: "grid" }) }),
-      x("button", { onClick: () => Dn("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
+      x("button", { class: "tab", onClick: () => so.value = "looks", children: "Looks" }),
+      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => ro("meter-tool"), children: x(Ke, { name: "meter" }) }),
+      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => ro("grid"), children: x(Ke, { name: "grid" }) }),
+      x("button", { onClick: () => ro("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
       F("label", { class: "tint", title: "How high levels may be set, of each lamp's flux", children: [
         "up to",
-        x(Bo, { label: "Highest level to reach targets", quantity: "level", value: $e.value, step: 0.1, set: (t) => $e.value = Math.min(10, Math.max(1, t($e.value))) })
+        x(Hl, { label: "Highest level to reach targets", quantity: "level", value: Ie.value, step: 0.1, set: (t) => Ie.value = Math.min(10, Math.max(1, t(Ie.value))) })
       ] }),
-      x("button", { onClick: Po, title: "Save all figures as CSV", children: "CSV" }),
+      x("button", { onClick: xl, title: "Save all figures as CSV", children: "CSV" }),
       x("span", { class: "gap" }),
-      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${On(e, 2)} maintained` })
+      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${io(e, 2)} maintained` })
     ] }),
     F("ul", { children: [
-      Do.all().map(([t, n]) => {
-        let a = n.lux, o = a?.[1] == null || a[1] > 0.02 * a[0] || Wo();
-        return x("li", { children: F("button", { class: "reading", "aria-pressed": Gt.value?.kind === "meter" && Gt.value.ids.includes(t), onClick: () => Oo("meter", t), children: [
+      Al.all().map(([t, n]) => {
+        let o = n.lux;
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": ln.value?.kind === "meter" && ln.value.ids.includes(t), onClick: () => Rl("meter", t), children: [
           F("span", { class: "tint", children: [
-            x(De, { name: "meter" }),
-            n.name
+            x(Ke, { name: "meter" }),
+            n.name,
+            " ",
+            x(An, { of: Ft(n) })
           ] }),
-          x("strong", { class: o ? "unsettled" : "", children: a ? fe(a[0] * e) : "…" }),
+          x("strong", { class: Rt(n) ? "unsettled" : "", children: o ? We(o[0]) : "…" }),
           F("small", { children: [
-            a?.[1] != null ? `±${fe(a[1] * e, !1)}` : "measuring",
+            o?.[1] != null ? `±${We(o[1], !1)}` : "measuring",
             " ",
             n.kind,
-            Go(n.change, e),
-            n.target ? ` · wants ${fe(n.target)}` : ""
+            ql(n.change, e),
+            n.target ? ` · wants ${Il(n.target)}` : ""
           ] })
         ] }) }, `m${t}`);
       }),
-      Ho.all().map(([t, n]) => {
-        let a = n.target, o = n.mean == null || n.error == null || n.error > 0.05 * n.mean || Wo(), r = a && n.mean != null && n.uniformity != null && n.mean * e >= a.lux && n.uniformity >= a.uniformity;
-        return x("li", { children: F("button", { class: "reading", "aria-pressed": Gt.value?.kind === "grid" && Gt.value.ids.includes(t), onClick: () => Oo("grid", t), children: [
+      Vl.all().map(([t, n]) => {
+        let o = n.target;
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": ln.value?.kind === "grid" && ln.value.ids.includes(t), onClick: () => Rl("grid", t), children: [
           F("span", { class: "tint", children: [
-            x(De, { name: "grid" }),
+            x(Ke, { name: "grid" }),
             n.name,
             " ",
-            a && n.mean != null && x("b", { class: r ? "met" : "missed", children: r ? "✓" : "✗" })
+            x(An, { of: Ht(n) })
           ] }),
-          x("strong", { class: o ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${fe(n.mean * e)}${n.error == null ? "" : ` ±${fe(n.error * e, !1)}`}` }),
+          x("strong", { class: qt(n) ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${We(n.mean)}${n.error == null ? "" : ` ±${We(n.error, !1)}`}` }),
           F("small", { children: [
             "U₀ ",
-            n.uniformity == null ? "…" : On(n.uniformity, 2),
+            n.uniformity == null ? "…" : io(n.uniformity, 2),
             " · ",
-            n.min == null ? "…" : fe(n.min * e, !1),
+            n.min == null ? "…" : We(n.min, !1),
             " to",
             " ",
-            n.max == null ? "…" : fe(n.max * e, !1),
-            Go(n.change, e),
-            a ? ` · wants ${fe(a.lux)}, U₀ ${On(a.uniformity, 2)}` : ""
+            n.max == null ? "…" : We(n.max, !1),
+            ql(n.change, e),
+            o ? ` · wants ${Il(o.lux)}, U₀ ${io(o.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
-      !Do.ids.value.length && !Ho.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !Al.ids.value.length && !Vl.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function cu() {
-  return F("div", { class: "strip-parts", "data-tab": Gn.value, children: [
-    x(iu, {}),
-    x(uu, {})
+function Jc() {
+  return F("div", { class: "strip-parts", "data-tab": so.value, children: [
+    x(jc, {}),
+    x(Qc, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  camera as jo,
-  digits as zo,
-  display as mu,
-  Field as Bt,
-  go as Xo,
-  houseLights as Kn,
-  Item as Se,
-  Range as du,
-  show as Bn,
-  theme as Uo,
-  walking as hu
+  camera as Gl,
+  digits as Ol,
+  display as tp,
+  Field as sn,
+  go as Wl,
+  houseLights as uo,
+  Item as Te,
+  Range as np,
+  show as co,
+  theme as Nl,
+  walking as op
 } from "./desk.js";
-import { Fragment as Ut, jsx as S, jsxs as te } from "./desk.js";
-var Kt = Math.PI / 360;
-function _o(e) {
-  let t = jo.peek();
-  t && Xo({ ...t, fov: Math.max(3, Math.min(140, e)) });
+import { Fragment as un, jsx as C, jsxs as ne } from "./desk.js";
+var rn = Math.PI / 360;
+function Dl(e) {
+  let t = Gl.peek();
+  t && Wl({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function gu() {
-  let e = jo.value, t = bt();
-  return te(Ut, { children: [
-    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => S(Se, { id: n }, n)),
-    S("hr", {}),
-    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => S(Se, { id: `preset-${n}` }, n)),
-    S("hr", {}),
-    t.length > 0 && S("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    t.map(({ name: n, camera: a }, o) => S("button", { class: "item", onClick: () => Xo(a, n), children: S("span", { children: n }) }, o)),
-    t.length > 0 && S("hr", {}),
-    e && !e.height && te(Ut, { children: [
-      te("label", { class: "line", children: [
-        S("span", { children: "Angle" }),
-        S(Bt, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => _o(n(e.fov)) })
+function ap() {
+  let e = Gl.value, t = At();
+  return ne(un, { children: [
+    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => C(Te, { id: n }, n)),
+    C("hr", {}),
+    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => C(Te, { id: `preset-${n}` }, n)),
+    C("hr", {}),
+    t.length > 0 && C("p", { class: "quiet", children: "Cameras of the file and saved views" }),
+    t.map(({ name: n, camera: o }, a) => C("button", { class: "item", onClick: () => Wl(o, n), children: C("span", { children: n }) }, a)),
+    t.length > 0 && C("hr", {}),
+    e && !e.height && ne(un, { children: [
+      ne("label", { class: "line", children: [
+        C("span", { children: "Angle" }),
+        C(sn, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Dl(n(e.fov)) })
       ] }),
-      te("label", { class: "line", children: [
-        S("span", { children: "Focal length" }),
-        S(Bt, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * Kt)) / 10, text: `${zo(12 / Math.tan(e.fov * Kt), 1)} mm`, step: 1, set: (n) => _o(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * Kt)))) / Kt) })
+      ne("label", { class: "line", children: [
+        C("span", { children: "Focal length" }),
+        C(sn, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * rn)) / 10, text: `${Ol(12 / Math.tan(e.fov * rn), 1)} mm`, step: 1, set: (n) => Dl(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * rn)))) / rn) })
       ] }),
-      S("hr", {})
+      C("hr", {})
     ] }),
-    S(Se, { id: "walking", label: hu.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
-    S(Se, { id: "from-lamp" }),
-    ["default", "blender", "maya", "trackpad"].map((n) => S(Se, { id: `hands-${n}` }, n))
+    C(Te, { id: "walking", label: op.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    C(Te, { id: "from-lamp" }),
+    ["default", "blender", "maya", "trackpad"].map((n) => C(Te, { id: `hands-${n}` }, n))
   ] });
 }
-var fu = ["linear", "reinhard", "filmic"];
-function bu() {
-  let e = mu.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return te(Ut, { children: [
-    te("fieldset", { children: [
-      S("legend", { children: "Tone curve" }),
-      S("div", { class: "segments", children: fu.map((n) => S("button", { "aria-pressed": e.tone === n, onClick: () => Bn({ tone: n }), children: n }, n)) })
+var lp = ["linear", "reinhard", "filmic"];
+function rp() {
+  let e = tp.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+  return ne(un, { children: [
+    ne("fieldset", { children: [
+      C("legend", { children: "Tone curve" }),
+      C("div", { class: "segments", children: lp.map((n) => C("button", { "aria-pressed": e.tone === n, onClick: () => co({ tone: n }), children: n }, n)) })
     ] }),
-    te("fieldset", { children: [
-      S("legend", { children: "White balance" }),
-      te("label", { class: "line", children: [
-        S("span", { children: "White" }),
-        S(Bt, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => Bn({ white: { ...t, kelvin: n(t.kelvin) } }) })
+    ne("fieldset", { children: [
+      C("legend", { children: "White balance" }),
+      ne("label", { class: "line", children: [
+        C("span", { children: "White" }),
+        C(sn, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => co({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
-      te("label", { class: "line", children: [
-        S("span", { children: "Tint" }),
-        S(Bt, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => Bn({ white: { ...t, tint: n(t.tint) } }) })
+      ne("label", { class: "line", children: [
+        C("span", { children: "Tint" }),
+        C(sn, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => co({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
-    S("hr", {}),
-    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => S(Se, { id: n }, n))
+    C("hr", {}),
+    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => C(Te, { id: n }, n))
   ] });
 }
-function vu() {
-  return te(Ut, { children: [
-    te("label", { class: "line", children: [
-      S("span", { children: "House lights" }),
-      S(du, { label: "House lights", value: Kn.value, text: `${zo(Kn.value * 100)} %`, on: (e) => Kn.value = Math.max(0.3, e) })
+function ip() {
+  return ne(un, { children: [
+    ne("label", { class: "line", children: [
+      C("span", { children: "House lights" }),
+      C(np, { label: "House lights", value: uo.value, text: `${Ol(uo.value * 100)} %`, on: (e) => uo.value = Math.max(0.3, e) })
     ] }),
-    S("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => S("button", { "aria-pressed": Uo.value === e, onClick: () => Uo.value = e, children: e }, e)) }),
-    S("hr", {}),
-    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => S(Se, { id: e }, e))
+    C("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => C("button", { "aria-pressed": Nl.value === e, onClick: () => Nl.value = e, children: e }, e)) }),
+    C("hr", {}),
+    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => C(Te, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as _t, cut as yu, digits as Qo, edit as Yo, go as ku, Icon as rt, Range as wu, setCut as xu, signal as Mu, storeView as Su, viewName as Cu, views as $u } from "./desk.js";
-import { jsx as W, jsxs as Un } from "./desk.js";
-var jt = Mu(null);
-function Lu() {
-  let e = $u.all();
-  return Un("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => _t("home"), children: W(rt, { name: "home" }) }),
-    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => _t("frame"), children: W(rt, { name: "frame" }) }),
-    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => _t("back"), children: W(rt, { name: "back" }) }),
-    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => _t("forth"), children: W(rt, { name: "forth" }) }),
+import { act as cn, cut as sp, digits as Kl, edit as Bl, go as up, Icon as pt, Range as cp, setCut as pp, signal as mp, storeView as dp, viewName as hp, views as fp } from "./desk.js";
+import { jsx as W, jsxs as po } from "./desk.js";
+var pn = mp(null);
+function gp() {
+  let e = fp.all();
+  return po("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => cn("home"), children: W(pt, { name: "home" }) }),
+    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => cn("frame"), children: W(pt, { name: "frame" }) }),
+    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => cn("back"), children: W(pt, { name: "back" }) }),
+    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => cn("forth"), children: W(pt, { name: "forth" }) }),
     W("span", { class: "divide" }),
-    e.map(([t, n], a) => jt.value === t ? W("span", { class: "field", children: W(
+    e.map(([t, n], o) => pn.value === t ? W("span", { class: "field", children: W(
       "input",
       {
         type: "text",
         "aria-label": "Name of the view",
         value: n.name ?? "",
         maxLength: 60,
-        ref: (o) => o?.focus(),
-        onBlur: (o) => {
-          let r = o.currentTarget.value.trim();
-          jt.value = null, r && r !== n.name && Yo(`Rename the view ${r}`, { views: { [t]: { ...n, name: r } } });
+        ref: (a) => a?.focus(),
+        onBlur: (a) => {
+          let l = a.currentTarget.value.trim();
+          pn.value = null, l && l !== n.name && Bl(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
-        onKeyDown: (o) => {
-          o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
+        onKeyDown: (a) => {
+          a.stopPropagation(), a.key === "Escape" && (a.currentTarget.value = n.name ?? ""), (a.key === "Enter" || a.key === "Escape") && a.currentTarget.blur();
         }
       }
-    ) }, t) : Un(
+    ) }, t) : po(
       "button",
       {
         class: "saved-view",
-        "aria-pressed": Cu.value === n.name,
-        title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => ku(n, n.name ?? "view"),
-        onDblClick: () => jt.value = t,
-        onKeyDown: (o) => {
-          o.key === "F2" && (jt.value = t), o.key === "Delete" && (o.stopPropagation(), Yo(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+        "aria-pressed": hp.value === n.name,
+        title: `${n.name ?? "View"} (Alt+${o + 1}); double click or F2 renames, Delete removes`,
+        onClick: () => up(n, n.name ?? "view"),
+        onDblClick: () => pn.value = t,
+        onKeyDown: (a) => {
+          a.key === "F2" && (pn.value = t), a.key === "Delete" && (a.stopPropagation(), Bl(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
-          W("small", { children: a + 1 }),
+          W("small", { children: o + 1 }),
           " ",
           n.name ?? `View ${t + 1}`
         ]
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: Su, children: W(rt, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: dp, children: W(pt, { name: "plus" }) })
   ] });
 }
-function Pu() {
-  let e = yu.value;
+function bp() {
+  let e = sp.value;
   if (!e) return null;
-  let t = e.height === null ? `${Qo(e.value, 2)} m` : `at ${Qo(e.height, 2)} m`;
-  return Un("label", { class: "cut", "data-scroll": !0, children: [
+  let t = e.height === null ? `${Kl(e.value, 2)} m` : `at ${Kl(e.height, 2)} m`;
+  return po("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      wu,
+      cp,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => xu(n * e.most)
+        on: (n) => pp(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2434,45 +2621,45 @@ function Pu() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as Tu, useRef as Eu } from "./desk.js";
-import { jsx as Zo } from "./desk.js";
-function Vu() {
-  let e = Eu(null), t = (n) => {
-    let a = n.currentTarget;
-    n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
-    let o = n.type === "pointerup" || n.type === "pointercancel";
-    if (!o && !a.hasPointerCapture(n.pointerId)) return;
-    let r = a.getBoundingClientRect(), l = (s) => Math.max(-1, Math.min(1, s)), i = o ? 0 : l((n.clientX - r.left) / (r.width / 2) - 1), u = o ? 0 : l(1 - (n.clientY - r.top) / (r.height / 2));
-    e.current?.style.setProperty("transform", `translate(${i * 28}px, ${-u * 28}px)`), Tu(u, i);
+import { padWalk as vp, useRef as yp } from "./desk.js";
+import { jsx as Ul } from "./desk.js";
+function kp() {
+  let e = yp(null), t = (n) => {
+    let o = n.currentTarget;
+    n.stopPropagation(), n.type === "pointerdown" && o.setPointerCapture(n.pointerId);
+    let a = n.type === "pointerup" || n.type === "pointercancel";
+    if (!a && !o.hasPointerCapture(n.pointerId)) return;
+    let l = o.getBoundingClientRect(), r = (i) => Math.max(-1, Math.min(1, i)), s = a ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), p = a ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
+    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-p * 28}px)`), vp(p, s);
   };
-  return Zo("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Zo("span", { ref: e }) });
+  return Ul("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Ul("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as Jo,
-  closeWhat as el,
-  digits as Au,
-  hovered as tl,
-  Icon as Iu,
-  lamps as qu,
-  luxText as be,
-  nameOf as Ru,
-  select as Fu,
-  useEffect as Hu,
-  useRef as Nu,
-  viewSize as Du,
-  what as Ou
+  chosenLamps as _l,
+  closeWhat as Xl,
+  digits as wp,
+  hovered as Yl,
+  Icon as xp,
+  lamps as Mp,
+  maintained as ge,
+  nameOf as Sp,
+  select as Cp,
+  useEffect as $p,
+  useRef as Lp,
+  viewSize as Tp,
+  what as Pp
 } from "./desk.js";
-import { jsx as K, jsxs as ae } from "./desk.js";
-var Ce = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Wu = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Gu() {
-  let e = Ou.value, t = Nu(null);
-  if (Hu(() => {
+import { jsx as B, jsxs as le } from "./desk.js";
+var Pe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Vp = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Ep() {
+  let e = Pp.value, t = Lp(null);
+  if ($p(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = Du.value, o = [...e.lamps].sort((p, b) => Ce(b) - Ce(p)), r = o.reduce((p, b) => p + Ce(b), 0) || 1, l = o.slice(0, 9), i = r - l.reduce((p, b) => p + Ce(b), 0), u = Math.max(8, Math.min(e.x + 12, n - 332)), s = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * l.length)), m = e.lux ? `${be(e.lux[0])} ±${be(e.lux[1], !1)}` : "Measuring…";
-  return ae(
+  let [n, o] = Tp.value, a = [...e.lamps].sort((c, g) => Pe(g) - Pe(c)), l = a.reduce((c, g) => c + Pe(g), 0) || 1, r = a.slice(0, 9), s = l - r.reduce((c, g) => c + Pe(g), 0), p = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, o - 150 - 35 * r.length)), m = e.lux ? `${ge(e.lux[0])} ±${ge(e.lux[1], !1)}` : "Measuring…";
+  return le(
     "div",
     {
       class: "what sheetlet",
@@ -2480,85 +2667,86 @@ function Gu() {
       "aria-label": "What lights this",
       tabIndex: -1,
       ref: t,
-      style: { left: `${u}px`, top: `${s}px` },
-      onKeyDown: (p) => {
-        p.key === "Escape" && (p.stopPropagation(), el(), document.getElementById("view")?.focus());
+      style: { left: `${p}px`, top: `${i}px` },
+      onKeyDown: (c) => {
+        c.key === "Escape" && (c.stopPropagation(), Xl(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
-        ae("header", { children: [
-          K("strong", { class: e.done ? "" : "unsettled", children: m }),
-          K("span", { class: "quiet", children: "what lights this" }),
-          K("button", { class: "icon", "aria-label": "Close", onClick: el, children: K(Iu, { name: "close" }) })
+        le("header", { children: [
+          B("strong", { class: e.done ? "" : "unsettled", children: m }),
+          B("span", { class: "quiet", children: "what lights this" }),
+          B("button", { class: "icon", "aria-label": "Close", onClick: Xl, children: B(xp, { name: "close" }) })
         ] }),
-        ae("ol", { children: [
-          l.map((p) => K(
+        le("ol", { children: [
+          r.map((c) => B(
             "li",
             {
-              onPointerEnter: () => tl.value = { kind: "lamp", id: p.id },
-              onPointerLeave: () => tl.value = null,
-              children: ae("button", { class: "row", onClick: () => Fu("lamp", p.id), children: [
-                K("span", { class: "name", children: Ru("lamp", p.id) }),
-                ae("span", { class: "figure", children: [
-                  Au(100 * Ce(p) / r, Ce(p) / r < 0.0995 ? 1 : 0),
+              onPointerEnter: () => Yl.value = { kind: "lamp", id: c.id },
+              onPointerLeave: () => Yl.value = null,
+              children: le("button", { class: "row", onClick: () => Cp("lamp", c.id), children: [
+                B("span", { class: "name", children: Sp("lamp", c.id) }),
+                le("span", { class: "figure", children: [
+                  wp(100 * Pe(c) / l, Pe(c) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
-                ae("span", { class: "figure lux", children: [
-                  be(Ce(p)),
+                le("span", { class: "figure lux", children: [
+                  ge(Pe(c)),
                   " ±",
-                  be(Wu(p), !1)
+                  ge(Vp(c), !1)
                 ] }),
-                ae("span", { class: "shares", "aria-hidden": "true", children: [
-                  K("i", { class: "direct", style: { width: `${100 * p.direct[0] / r}%` } }),
-                  K("i", { class: "indirect", style: { width: `${100 * p.indirect[0] / r}%` } }),
-                  K("i", { class: "caustic", style: { width: `${100 * p.caustic[0] / r}%` } })
+                le("span", { class: "shares", "aria-hidden": "true", children: [
+                  B("i", { class: "direct", style: { width: `${100 * c.direct[0] / l}%` } }),
+                  B("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / l}%` } }),
+                  B("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / l}%` } })
                 ] }),
-                ae("span", { class: "spoken", children: [
+                le("span", { class: "spoken", children: [
                   "direct ",
-                  be(p.direct[0]),
+                  ge(c.direct[0]),
                   ", indirect ",
-                  be(p.indirect[0]),
+                  ge(c.indirect[0]),
                   ", caustic",
                   " ",
-                  be(p.caustic[0])
+                  ge(c.caustic[0])
                 ] })
               ] })
             },
-            p.id
+            c.id
           )),
-          o.length > l.length && ae("li", { class: "quiet", children: [
-            o.length - l.length === 1 ? "one more" : `${o.length - l.length} more together`,
+          a.length > r.length && le("li", { class: "quiet", children: [
+            a.length - r.length === 1 ? "one more" : `${a.length - r.length} more together`,
             ": ",
-            be(i)
+            ge(s)
           ] }),
-          !o.length && K("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
+          !a.length && B("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
-        ae("footer", { children: [
-          K("span", { class: "key direct", children: "direct" }),
-          K("span", { class: "key indirect", children: "indirect" }),
-          K("span", { class: "key caustic", children: "caustic" }),
-          K("span", { class: "gap" }),
-          Jo.value.some((p) => qu.get(p)?.place?.direction) && K("button", { onClick: () => _e(Jo.peek(), e.hit.point), children: "Aim here" }),
-          K("button", { onClick: () => je(e.hit.point, e.hit.normal), children: "Meter here" })
+        le("footer", { children: [
+          B("span", { class: "key direct", children: "direct" }),
+          B("span", { class: "key indirect", children: "indirect" }),
+          B("span", { class: "key caustic", children: "caustic" }),
+          B("span", { class: "gap" }),
+          _l.value.some((c) => Mp.get(c)?.place?.direction) && B("button", { onClick: () => ze(_l.peek(), e.hit.point), children: "Aim here" }),
+          B("button", { onClick: () => Ze(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
     }
   );
 }
 export {
-  or as Compare,
-  Pu as CutBar,
-  Or as Gizmo,
-  zi as Inspector,
-  ls as Legend,
-  vu as PageItems,
-  bu as SeeingItems,
-  Js as SheetHead,
-  eu as SheetRow,
-  Fs as Sheets,
-  cu as Strip,
-  gu as ViewItems,
-  Lu as ViewStrip,
-  Vu as WalkPad,
-  Gu as What
+  Ts as Compare,
+  bp as CutBar,
+  pi as Gizmo,
+  Wu as Inspector,
+  Ju as Legend,
+  ip as PageItems,
+  rp as SeeingItems,
+  Wc as SheetHead,
+  Kc as SheetRow,
+  Ec as Sheets,
+  Jc as Strip,
+  Pi as TypedHint,
+  ap as ViewItems,
+  gp as ViewStrip,
+  kp as WalkPad,
+  Ep as What
 };

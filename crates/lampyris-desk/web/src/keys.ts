@@ -90,6 +90,7 @@ function withControl(e: KeyboardEvent): string | null {
     if (key === 'k') return 'palette';
     if (key === 's') return e.shiftKey ? 'picture' : 'save';
     if (key === 'd') return 'duplicate';
+    if (key === 'g') return e.shiftKey ? 'ungroup' : 'group';
     if (key === 'a') return 'all-lamps';
     if (key === 'enter') return 'look-store';
     return null;
@@ -124,8 +125,13 @@ function nearer(factor: number): void {
     else go(dolly(c, c.target, factor, 0.3, true));
 }
 
+/** Takes keys before all others while something is typed in the view; comes with the second file. */
+let taker: (e: KeyboardEvent) => boolean = () => false;
+export const keysFirst = (takes: typeof taker): void => void (taker = takes);
+
 function down(e: KeyboardEvent): void {
     if (e.defaultPrevented || document.querySelector('dialog[open]')) return;
+    if (!typing(e.target) && taker(e)) return e.preventDefault();
     const control = e.ctrlKey || e.metaKey;
     if (e.key === 'Escape') return escape();
     if (typing(e.target)) {

@@ -140,6 +140,7 @@ export function Lamps() {
             {chosenLamps.value.length > 1 && (
                 <p class="several">
                     {chosenLamps.value.length} selected; a fader moves them in proportion
+                    {selection.value?.kind === 'lamp' && <button onClick={() => act('group')}>Group</button>}
                     <button onClick={() => act('none')}>None</button>
                 </p>
             )}

@@ -1,11 +1,9 @@
-// «What lights this»: asks for the share of every lamp at a point, again whenever a lamp gives more or less.
+// «What lights this»: the point that was asked about, and what is known of it; the second file does the asking.
 
-import { effect, signal, untracked } from '@preact/signals';
-import { lamps, output } from './store';
+import { signal } from '@preact/signals';
 import type { Hit, Measured, Share } from './types';
-import { ask } from './wire';
 
-interface What {
+export interface What {
     x: number;
     y: number;
     hit: Hit;
@@ -15,46 +13,8 @@ interface What {
 }
 
 export const what = signal<What | null>(null);
-let stop = () => {};
-let stopWatching = () => {};
 
-export function openWhat(x: number, y: number, hit: Hit): void {
-    closeWhat();
-    what.value = { x, y, hit, lux: hit.lux, lamps: [], done: false };
-    request(hit);
-    let first = true;
-    let timer = 0;
-    // Whenever a lamp gives more or less, the shares are others.
-    stopWatching = effect(() => {
-        for (const [, lamp] of lamps.all()) void output(lamp);
-        if (first) {
-            first = false;
-            return;
-        }
-        clearTimeout(timer);
-        timer = window.setTimeout(() => {
-            const now = untracked(() => what.value);
-            if (now) request(now.hit);
-        }, 250);
-    });
-}
+export const openWhat = (x: number, y: number, hit: Hit): void =>
+    void (what.value = { x, y, hit, lux: hit.lux, lamps: [], done: false });
 
-function request(hit: Hit): void {
-    stop();
-    stop = ask('light', { point: hit.point, normal: hit.normal }, (answer) => {
-        const now = what.peek();
-        if (!now) return;
-        what.value = {
-            ...now,
-            lux: (answer.lux as Measured) ?? now.lux,
-            lamps: (answer.lamps as Share[]) ?? now.lamps,
-            done: answer.done !== false,
-        };
-    });
-}
-
-export function closeWhat(): void {
-    stop();
-    stopWatching();
-    what.value = null;
-}
+export const closeWhat = (): void => void (what.value = null);

@@ -13,7 +13,8 @@ import type { Camera, Vec } from './types';
 import { add, corners, dot, middle, scale, sub } from './vec';
 import { ask, hear, line, role, send } from './wire';
 
-const EYE_HEIGHT = 1.6;
+/** Above the floor, of who walks [m]. */
+export const EYE_HEIGHT = 1.6;
 
 /** Where the hand wants the eye to be; the frame shown may still lag behind. */
 export const camera = signal<Camera | null>(null);

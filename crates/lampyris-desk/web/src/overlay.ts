@@ -10,9 +10,9 @@ import { lampMarks } from './prefs';
 import { hovered, selection } from './select';
 import { grids, lamps, meters, output, things } from './store';
 import type { Grid, Id, Meter, Vec } from './types';
-import { add, corners, scale } from './vec';
+import { add, corners, length, scale } from './vec';
 import { positionOf } from './tools';
-import { luxText } from './units';
+import { maintained } from './units';
 
 const SVG = 'http://www.w3.org/2000/svg';
 type Point = [number, number];
@@ -179,12 +179,12 @@ export function overlayOn(svg: SVGSVGElement): () => void {
         const now = selection.value;
         const state = (kind: string, id: Id) => (now?.kind === kind && now.ids.includes(id) ? 'selected' : '');
         meterMarks.draw(meters.all().map(([id, meter]: [Id, Meter]) => ({
-            id, at: through.at(meter.point), label: meter.lux ? luxText(meter.lux[0]) : '…', state: state('meter', id),
+            id, at: through.at(meter.point), label: meter.lux ? maintained(meter.lux[0]) : '…', state: state('meter', id),
         })));
         let mesh = '';
         gridMarks.draw(grids.all().map(([id, grid]: [Id, Grid]) => {
             mesh += gridPath(through, grid);
-            const label = grid.mean == null ? '…' : `${grid.name} ${luxText(grid.mean)}`;
+            const label = grid.mean == null ? '…' : `${grid.name} ${maintained(grid.mean)}`;
             return { id, at: through.at(grid.corner), label, state: state('grid', id) };
         }));
         gridLines.setAttribute('d', mesh);
@@ -196,6 +196,15 @@ export function overlayOn(svg: SVGSVGElement): () => void {
     };
 }
 
+/** Where a point of a grid is. */
+export function gridPoint({ corner, u, v, columns, rows, border = 0 }: Grid, column: number, row: number): Vec {
+    const along = (edge: Vec, k: number, count: number): Vec => {
+        const off = length(edge) > 2 * border ? border / length(edge) : 0;
+        return scale(edge, off + ((1 - 2 * off) * (k + 0.5)) / count);
+    };
+    return add(corner, add(along(u, column, columns), along(v, row, rows)));
+}
+
 /** The outline of a grid and a cross at each of its points. */
 function gridPath(lens: Lens, grid: Grid): string {
     const at = (s: number, t: number): Vec => add(grid.corner, add(scale(grid.u, s), scale(grid.v, t)));
@@ -203,7 +212,7 @@ function gridPath(lens: Lens, grid: Grid): string {
         + lens.line(at(0, 1), at(0, 0));
     for (let row = 0; row < grid.rows; row++) {
         for (let column = 0; column < grid.columns; column++) {
-            const p = lens.at(at((column + 0.5) / grid.columns, (row + 0.5) / grid.rows));
+            const p = lens.at(gridPoint(grid, column, row));
             if (p) path += `M${(p[0] - 2).toFixed(1)} ${p[1].toFixed(1)}h4m-2 -2v4`;
         }
     }

@@ -32,7 +32,7 @@ export function motionOf(habit: string, button: number, e: { alt: boolean; shift
 export interface Clicks {
     click(x: number, y: number, how: 'only' | 'add' | 'toggle'): void;
     menu(x: number, y: number): void;
-    double(): void;
+    double(x: number, y: number): void;
     hover(x: number, y: number): void;
     unhover(): void;
     marquee(from: [number, number], to: [number, number], done: boolean): void;
@@ -185,7 +185,7 @@ export function followPointer(element: HTMLElement, clicks: Clicks): () => void 
             const time = performance.now();
             const twice = time - lastTap < 320;
             lastTap = time;
-            if (twice) return clicks.double();
+            if (twice) return clicks.double(press.x, press.y);
             if (lookOnly.peek()) return;
         }
         if (press.button === 2) clicks.menu(press.x, press.y);
@@ -241,7 +241,7 @@ export function followPointer(element: HTMLElement, clicks: Clicks): () => void 
         clicks.unhover();
     };
     const double = (e: MouseEvent) => {
-        if (!(e.target as Element).closest('[data-handle]') && tool.peek() === null) clicks.double();
+        if (!(e.target as Element).closest('[data-handle]') && tool.peek() === null) clicks.double(...local(e));
     };
     const key = (e: KeyboardEvent) => {
         if (e.code === 'Space') space = e.type === 'keydown';

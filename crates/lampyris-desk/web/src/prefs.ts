@@ -40,6 +40,8 @@ export const singleKeys = pref('single-keys', true);
 export const lampMarks = pref('lamp-marks', true);
 /** Maintenance factor; 1 is a new installation. */
 export const maintenance = pref('maintenance', 1);
+/** How far above the floor areas are laid [m]. */
+export const workPlane = pref('work-plane', 0.75);
 /** Full pixels of a fine display, or one per CSS pixel. */
 export const fine = pref('fine', false);
 /** Seconds of a cross-fade between looks. */

@@ -2,10 +2,10 @@
 
 import { signal } from '@preact/signals';
 import { toFrame } from './navigate';
-import { candles } from './prefs';
+import { candles, maintenance } from './prefs';
 import { lamps, materials, things } from './store';
 import type { Hit } from './types';
-import { luxText, signed, three } from './units';
+import { maintained, signed, three } from './units';
 import { ask } from './wire';
 
 export const probe = signal<Hit | null>(null);
@@ -26,8 +26,8 @@ export function probeText(hit: Hit | null): string {
     if (lamp) parts.push(lamp);
     if (thing && thing !== lamp) parts.push(thing);
     if (material && material !== thing) parts.push(material);
-    if (hit.lux) parts.push(`${luxText(hit.lux[0])} ±${luxText(hit.lux[1], false)}`);
-    if (hit.change != null) parts.push(`Δ ${signed(hit.change)}`);
+    if (hit.lux) parts.push(`${maintained(hit.lux[0])} ±${maintained(hit.lux[1], false)}`);
+    if (hit.change != null) parts.push(`Δ ${signed(hit.change * maintenance.peek())}`);
     if (hit.luminance) {
         const value = hit.luminance[0] * (candles.value === 'fc' ? 0.2919 : 1);
         parts.push(`${three(value)} ${candles.value === 'fc' ? 'fL' : 'cd/m²'}`);

@@ -112,7 +112,9 @@ export interface Meter {
     lux?: Measured | null;
     /** How much more than in the look that is compared with [lx]; so it is with areas. */
     change?: number | null;
-    /** What it shall read [lx]. */
+    /** No batch will change it. */
+    done?: boolean;
+    /** What it shall read at least [lx]. */
     target?: number | null;
 }
 
@@ -124,6 +126,8 @@ export interface Grid {
     normal: Vec;
     columns: number;
     rows: number;
+    /** What is left off along edges that are longer than two of it [m]. */
+    border?: number;
     /** Row by row, as far as it is known; so are the figures. */
     lux?: (number | null)[];
     mean?: number | null;
@@ -131,8 +135,11 @@ export interface Grid {
     min?: number | null;
     max?: number | null;
     uniformity?: number | null;
-    /** ± of the mean [lx]. */
+    /** ± of the mean [lx], and of the uniformity. */
     error?: number | null;
+    uniformity_error?: number | null;
+    /** No batch will change them. */
+    done?: boolean;
     target?: { lux: number; uniformity: number } | null;
 }
 

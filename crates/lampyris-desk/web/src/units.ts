@@ -1,7 +1,7 @@
 // Numbers with units, as people type them: `2700K`, `450 lm`, `30°`, `80 %`, `*0.8`, `+10`, `-1/2 stop`, `2.4m`, `8'2"`.
 // A field that does not understand says why and keeps what it had.
 
-import { candles } from './prefs';
+import { candles, maintenance } from './prefs';
 
 export type Quantity = 'level' | 'flux' | 'kelvin' | 'angle' | 'length' | 'lux' | 'share' | 'number' | 'ev' | 'seconds';
 /** What a text wants: a value, or a change of each value that there is. */
@@ -176,3 +176,6 @@ export function luxText(lux: number, unit = true): string {
     const value = fc ? lux / 10.7639 : lux;
     return three(value) + (unit ? (fc ? ' fc' : ' lx') : '');
 }
+
+/** Illuminance that was measured, as it is maintained. */
+export const maintained = (lux: number, unit = true): string => luxText(lux * maintenance.value, unit);

@@ -4,14 +4,14 @@ import { signal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { drawOn, shown } from './frames';
 import { followPointer } from './pointer';
-import { frameSelection, viewName } from './navigate';
+import { viewName } from './navigate';
 import { lampsSeen, overlayOn } from './overlay';
 import { probe, probeAt } from './probe';
 import { hovered, select, selectHit, selection, spot, tool } from './select';
 import { scene } from './store';
 import type { Id } from './types';
 import { applyTool } from './tools';
-import { drawer } from './actions';
+import { act, drawer, whyNotTo } from './actions';
 import { openWhat } from './lights';
 import { Later } from './load';
 import { Banner } from './banner';
@@ -42,8 +42,12 @@ const clicks = {
             if (hit) openWhat(x, y, hit);
         });
     },
-    double() {
-        frameSelection();
+    double(x: number, y: number) {
+        if (markAt(x, y)) return act('frame');
+        probeAt(x, y, (hit) => {
+            if (hit) spot.value = { point: hit.point, normal: hit.normal };
+            act(hit && !whyNotTo('there') ? 'there' : 'frame');
+        });
     },
     hover(x: number, y: number) {
         const mark = markAt(x, y);
@@ -134,6 +138,7 @@ export function View() {
             </p>
             {tool.value && <p class="hint" role="status">{TOOL_WORDS[tool.value]}</p>}
             <Banner />
+            <Later part="TypedHint" />
             <Later part="Legend" />
             <Later part="CutBar" />
             <Later part="ViewStrip" />

@@ -41,8 +41,8 @@ export function startProgram(scene, ...more) {
 }
 
 /** A page that must not complain: errors of the console and of the policy are gathered. */
-export async function openPage(browser, { width = 1280, height = 720, touch = false, theme = 'dark' } = {}) {
-    const context = await browser.newContext({ viewport: { width, height }, hasTouch: touch });
+export async function openPage(browser, { width = 1280, height = 720, touch = false, theme = 'dark', scale = 1 } = {}) {
+    const context = await browser.newContext({ viewport: { width, height }, hasTouch: touch, deviceScaleFactor: scale });
     const page = await context.newPage();
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(String(error)));

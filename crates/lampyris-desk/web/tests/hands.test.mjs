@@ -26,7 +26,8 @@ async function desk(options) {
         }
         assert.fail(why);
     };
-    return { page, complaints, heard, until };
+    const say = (message) => spoken.lines.at(-1).send(JSON.stringify(message));
+    return { page, complaints, heard, until, say };
 }
 
 test('keys alone: find a lamp, set its level, switch it, solo it, undo, and leave', async () => {
@@ -60,6 +61,74 @@ test('keys alone: find a lamp, set its level, switch it, solo it, undo, and leav
     await page.keyboard.press('Escape');
     await page.keyboard.press('Escape');
     assert.notEqual(await page.evaluate(() => document.activeElement?.id), 'view');
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+});
+
+test('groups: made of those selected, named, dimmed by a master, left, and dissolved', async () => {
+    const { page, heard, until, complaints, say } = await desk({ width: 1440, height: 2400 });
+    await page.locator('[data-row="lamp-1"] .row-name').click();
+    await page.locator('[data-row="lamp-4"] .row-name').click({ modifiers: ['Control'] });
+    await page.locator('#view').focus();
+    await page.keyboard.press('Control+g');
+    await until(() => heard('group').length === 1, 'no group');
+    assert.deepEqual(heard('group')[0].lamps, [1, 4]);
+    assert.equal(heard('group')[0].name, 'Group 1');
+    assert.match(heard('begin').at(-1).label, /^Group 2 lamps/);
+    const rowB = { ...state().groups[1], lamps: state().groups[1].lamps.filter((id) => id !== 1 && id !== 4) };
+    const members = { 1: { ...state().lamps[1], group: 3 }, 4: { ...state().lamps[4], group: 3 } };
+    say({ is: 'patch', seq: heard('end').at(-1).seq, by: 1, patch: { lamps: members, groups: { 1: rowB, 3: { name: 'Group 1', on: true, level: 1, lamps: [1, 4] } } } });
+    // It is selected, and called as one types.
+    await page.waitForSelector('[aria-label="Name of the group"]');
+    await page.getByLabel('Name of the group').fill('Evening');
+    await page.keyboard.press('Enter');
+    await until(() => heard('set').some((m) => m.patch.groups?.[3]?.name === 'Evening'), 'not renamed');
+    await page.getByLabel('Master of the group').fill('40');
+    await page.keyboard.press('Enter');
+    await until(() => heard('set').some((m) => m.patch.groups?.[3]?.level === 0.4), 'no master');
+    await page.locator('[data-row="lamp-4"] .row-name').click();
+    await page.locator('.inspector').getByRole('button', { name: 'Take out' }).click();
+    await until(() => heard('group').length === 2, 'not taken out');
+    assert.deepEqual([heard('group')[1].lamps, heard('group')[1].name], [[4], undefined]);
+    await page.locator('[data-row="group-3"] .row-name').click();
+    await page.locator('#view').focus();
+    await page.keyboard.press('Control+Shift+g');
+    await until(() => heard('group').length === 3, 'not dissolved');
+    assert.deepEqual(heard('group')[2].lamps, [1, 4]);
+    assert.match(heard('begin').at(-1).label, /^Dissolve/);
+    assert.equal(heard('begin').length, heard('end').length, 'every step is ended');
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+});
+
+test('G and R, an axis, digits: what is typed is done at once, Enter keeps it, Escape takes it back', async () => {
+    const { page, heard, until, complaints } = await desk();
+    await page.locator('[data-row="lamp-3"] .row-name').click();
+    await page.waitForSelector('[data-handle="move-z"]', { state: 'attached' });
+    await page.locator('#view').focus();
+    const hint = () => page.locator('.hint').innerText();
+    const place = () => heard('set').at(-1)?.patch.lamps?.[3].place;
+    const from = state().lamps[3].place.position;
+    for (const key of ['g', 'z', '-', '0', '.', '5']) await page.keyboard.press(key);
+    assert.match(await hint(), /Move along Z: -0\.5 m/);
+    await until(() => Math.abs(place()?.position[2] - (from[2] - 0.5)) < 1e-9, 'not moved down');
+    // Another axis takes the number along; what was moved before comes back.
+    await page.keyboard.press('x');
+    await until(() => Math.abs(place().position[0] - (from[0] - 0.5)) < 1e-9 && Math.abs(place().position[2] - from[2]) < 1e-9, 'not moved along X instead');
+    assert.equal(heard('end').length, 0);
+    await page.keyboard.press('Enter');
+    await until(() => heard('end').length === 1, 'not kept');
+    assert.match(heard('begin')[0].label, /Move Lamp 3/);
+    await page.waitForSelector('.hint', { state: 'detached' });
+    for (const key of ['r', 'y', '9', '0', '0', 'Backspace']) await page.keyboard.press(key);
+    assert.match(await hint(), /Turn about Y: 90°/);
+    await until(() => Math.abs(Math.abs(place().direction?.[0]) - 1) < 1e-9, 'not turned');
+    await page.keyboard.press('Escape');
+    await until(() => heard('cancel').length === 1, 'not taken back');
+    // What is selected stays so, and without an axis digits are a level.
+    assert.equal(await page.locator('[data-row="lamp-3"] .row-name').getAttribute('aria-pressed'), 'true');
+    for (const key of ['g', '4']) await page.keyboard.press(key);
+    await page.waitForFunction(() => document.activeElement?.id === 'level');
     assert.deepEqual(complaints, []);
     await page.context().close();
 });

@@ -155,6 +155,37 @@ test('a lamp is hung by pointing, aimed, copied, and taken away', { skip }, asyn
     await page.keyboard.press('Escape');
 });
 
+test('a group has a master that dims the picture, and is dissolved and undone', { skip }, async () => {
+    await settled();
+    const was = await brightness(page);
+    const groups = await page.locator('.fader-row.group').count();
+    await page.locator('#view').focus();
+    await page.keyboard.press('Control+a');
+    await page.keyboard.press('Control+g');
+    await page.waitForSelector('[aria-label="Master of the group"]');
+    assert.equal(await page.getByLabel('Name of the group').inputValue(), 'Group 1');
+    assert.equal(await page.locator('.fader-row.group').count(), 1, 'all are in this one, and in no other');
+    await page.getByLabel('Master of the group').fill('25');
+    await page.keyboard.press('Enter');
+    await caughtUp(page);
+    await settled();
+    const now = await brightness(page);
+    assert.ok(now < 0.8 * was, `from ${was} to ${now}`);
+    await page.locator('#view').focus();
+    await page.keyboard.press('Control+Shift+g');
+    await page.waitForFunction(() => !document.querySelector('.fader-row.group'));
+    for (let k = 0; k < 3; k++) {
+        await page.locator('#view').focus();
+        await page.keyboard.press('Control+z');
+        await page.waitForTimeout(200);
+    }
+    await page.waitForFunction((n) => document.querySelectorAll('.fader-row.group').length === n, groups);
+    await page.keyboard.press('Escape');
+    await settled();
+    const back = await brightness(page);
+    assert.ok(Math.abs(back - was) < 0.1 * was, `${back} is not ${was}`);
+});
+
 test('what is drawn over the picture stays on the lamp while one walks', { skip }, async () => {
     const own = startProgram('scenes/cornell.mgf');
     const other = await openPage(browser);

@@ -1,4 +1,4 @@
-// Every state of the page, in both themes and three sizes: reached, named, said in words, and without a fault that axe finds.
+// Every state of the page, in both themes, three sizes and at a zoom of 200 %: reached, named, said in words, and without a fault that axe finds.
 // With SHOTS set to a folder each is photographed.
 
 import assert from 'node:assert/strict';
@@ -10,7 +10,8 @@ import { openBrowser, openPage, servePage, waitState } from './desk.mjs';
 import { lamp, speakFor, state } from './fake.mjs';
 
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const SIZES = [[1440, 900], [1180, 820], [820, 1180]];
+/** Width, height, pixels of the screen for one of the page: the last is the first at twice its size. */
+const SIZES = [[1440, 900, 1], [1180, 820, 1], [820, 1180, 1], [720, 450, 2]];
 const SHOTS = process.env.SHOTS;
 
 let browser;
@@ -43,7 +44,7 @@ const STATES = [
     ['lost', { act: async (page, { lines }) => lines[0].close() }, /Connection lost, trying again/],
     ['ended', { more: [{ is: 'event', what: 'bye' }], act: async (page, { lines }) => lines[0].close() }, /program has ended.*lampyris view/s],
     ['renewed', { builds: ['one', 'two'], act: async (page, { lines }) => lines[0].close() }, /New version/],
-    ['good', { select: 'lamp', act: (page) => page.locator('[data-row="lamp-1"] .row-name').click() }, /Handles/],
+    ['good', { select: 'lamp', act: (page) => page.locator('[data-row="lamp-3"] .row-name').click() }, /Handles/],
     ['good', { select: 'several', act: async (page) => {
         await page.locator('[data-row="lamp-0"] .row-name').click();
         await page.locator('[data-row="lamp-3"] .row-name').click({ modifiers: ['Shift'] });
@@ -62,8 +63,8 @@ for (const [name, how, words] of STATES) {
     test(title, async () => {
         const wrong = new Set();
         for (const theme of ['dark', 'light']) {
-            for (const [width, height] of SIZES) {
-                const { page, complaints } = await openPage(browser, { width, height, theme });
+            for (const [width, height, scale] of SIZES) {
+                const { page, complaints } = await openPage(browser, { width, height, theme, scale });
                 const builds = [...(how.builds ?? [])];
                 const spoken = await speakFor(page, how.told === undefined ? state() : how.told && structuredClone(how.told), { role: how.role, build: () => (builds.length > 1 ? builds.shift() : builds[0] ?? 'b'), more: how.more });
                 await page.goto(server.link);

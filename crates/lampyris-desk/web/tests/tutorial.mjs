@@ -104,18 +104,18 @@ await person.click(power('panel_desk'));
 await person.click(person.button('Plan'));
 await page.waitForSelector('.cut output');
 await person.click(person.button('Lay a grid'));
-await person.point(...(await planAt(page, 1.5, 3.67)));
+await person.point(...(await planAt(page, 2.0, 3.67)));
 await page.waitForTimeout(800);
-await person.point(...(await planAt(page, 2.8, 3.99)));
+await person.point(...(await planAt(page, 2.85, 3.97)));
 await page.waitForSelector('.inspector [aria-label="Corner Z"]');
 await person.type(page.getByLabel('Corner Z'), '+=0.15');
-/** The figures of the area, when they are others and no longer grey. */
+/** The figures of the area, when they are others, no longer grey, and decided against the target. */
 async function area(before = '') {
     await page.waitForFunction((old) => {
         if (document.querySelector('.readings .reading')?.innerText.replace(/\s+/g, ' ') === old) return false;
         const told = /Ē ([\d.]+) lx ±([\d.]+)/.exec(document.querySelector('.readings .reading')?.innerText);
-        return told && Number(told[2]) < 0.05 * Number(told[1]);
-    }, before, { timeout: 180_000 });
+        return told && Number(told[2]) < 0.05 * Number(told[1]) && /[✓✗]/.test(document.querySelector('.readings .reading').innerText);
+    }, before, { timeout: 300_000 });
     return (await page.locator('.readings .reading').innerText()).replace(/\s+/g, ' ');
 }
 const short = await area();

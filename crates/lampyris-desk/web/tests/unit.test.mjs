@@ -5,8 +5,8 @@ import { test } from 'node:test';
 import { browserless, load } from './bundle.mjs';
 
 browserless();
-const page = await load('units', 'camera', 'vec', 'swatch');
-const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/tools');
+const page = await load('units', 'camera', 'vec', 'swatch', 'overlay');
+const later = await load('later/qr', 'later/gizmo', 'later/lamp', 'later/legend', 'later/thing', 'later/area', 'later/verdict', 'later/typed', 'later/there');
 
 const near = (a, b, within = 1e-9) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 const nearVec = (a, b, within = 1e-9) => a.forEach((v, k) => near(v, b[k], within));
@@ -220,6 +220,91 @@ test('the spacing of grids is that of the standard', () => {
     near(later.spacing(10), 1);
     near(later.spacing(100), 5);
     near(later.spacing(1e6), 10);
+});
+
+test('areas have as many points as the library lays', () => {
+    for (const [length, points] of [[0.4, 4], [0.6, 4], [1, 5], [2, 6], [5, 8], [10, 10], [50, 16]]) assert.deepEqual(later.counts([length, length]), [points, points]);
+    assert.deepEqual(later.counts([30, 2]), [90, 6]);
+    assert.deepEqual(later.counts([2, 30]), [6, 90]);
+});
+
+test('an area of the floor lies on the work plane, within its border; one of a desk on the desk', () => {
+    const up = [0, 0, 1];
+    const at = (point, normal = up) => ({ point, normal });
+    const floor = later.between(at([1, 1, 0.2]), at([5, 3.5, 0.21]), up, 0.2, 0.75);
+    nearVec(floor.corner, [1, 1, 0.95]);
+    nearVec([...floor.u, ...floor.v, ...floor.normal], [4, 0, 0, 0, 2.5, 0, 0, 0, 1]);
+    assert.equal(floor.border, 0.5);
+    // 3 m by 1.5 m are left: twice as long as wide.
+    assert.deepEqual([floor.columns, floor.rows], later.counts([3, 1.5]));
+    const desk = later.between(at([5, 3.5, 0.95]), at([1, 1, 0.97]), up, 0.2, 0.75);
+    nearVec(desk.corner, [1, 1, 0.95]);
+    assert.equal(desk.border, 0);
+    assert.deepEqual([desk.columns, desk.rows], later.counts([4, 2.5]));
+    // From the desk to the floor or to a wall it is the room that is meant.
+    for (const b of [at([5, 3.5, 0.2]), at([5, 3.5, 1.4], [0, -1, 0])]) {
+        const room = later.between(at([1, 1, 0.95]), b, up, 0.2, 0.8);
+        near(room.corner[2], 1);
+        assert.equal(room.border, 0.5);
+    }
+    const sideways = later.between(at([0.3, 2, 1], [1, 0, 0]), at([0.3, 4, 5], [1, 0, 0]), [1, 0, 0], 0.3, 0.75);
+    near(sideways.corner[0], 1.05);
+    near(page.length(page.cross(sideways.u, sideways.v)), 8);
+    assert.equal(later.between(at([1, 1, 0]), at([1.01, 5, 0]), up, 0, 0.75), null);
+});
+
+test('points of an area are in the middle of their cells, within the border where there is room for one', () => {
+    const grid = { corner: [1, 2, 3], u: [4, 0, 0], v: [0, 0.8, 0], columns: 3, rows: 2, border: 0.5 };
+    nearVec(page.gridPoint(grid, 0, 0), [2, 2.2, 3]);
+    nearVec(page.gridPoint(grid, 2, 1), [4, 2.6, 3]);
+    nearVec(page.gridPoint({ ...grid, border: undefined }, 0, 0), [1 + 4 / 6, 2.2, 3]);
+});
+
+test('one walks to where one may stand, and looks as before', () => {
+    const to = (point, normal = up, c = camera) => later.standing(c, up, { point, normal });
+    const there = to([5, 2, 0]);
+    nearVec(there.eye, [5, 2, 1.6]);
+    nearVec(page.sub(there.target, there.eye), page.sub(camera.target, camera.eye));
+    for (const none of [to([5, 2, 0.75]), to([5, 2, 0], [1, 0, 0]), to([5, 2, 3], [0, 0, -1]), to([5, 2, 0], up, { ...camera, height: 4 })]) assert.equal(none, null);
+});
+
+test('axes and digits are found on every keyboard', () => {
+    const cases = [
+        // English; German, where Z and Y have each other's places; French, whose digits want Shift; Russian and Greek.
+        ['x', 'KeyX', { axis: 0 }], ['Y', 'KeyY', { axis: 1 }], ['z', 'KeyZ', { axis: 2 }], ['z', 'KeyY', { axis: 2 }], ['y', 'KeyZ', { axis: 1 }],
+        ['z', 'KeyW', { axis: 2 }], ['w', 'KeyZ', {}], ['&', 'Digit1', { sign: '1' }], ['1', 'Digit1', { sign: '1' }], ['-', 'Digit6', { sign: '-' }],
+        ['ч', 'KeyX', { axis: 0 }], ['я', 'KeyZ', { axis: 2 }], ['χ', 'KeyX', { axis: 0 }], ['7', 'Numpad7', { sign: '7' }], [',', 'NumpadDecimal', { sign: '.' }],
+        ['.', 'Period', { sign: '.' }], ['-', 'Slash', { sign: '-' }], ['Enter', 'NumpadEnter', { does: 'keep' }], ['Escape', 'Escape', { does: 'leave' }],
+        ['Backspace', 'Backspace', { does: 'back' }], ['a', 'KeyQ', {}], ['ArrowUp', 'ArrowUp', {}], ['Tab', 'Tab', {}],
+    ];
+    for (const [key, code, expected] of cases) assert.deepEqual(later.strokeOf({ key, code }), expected, `${key} on ${code}`);
+    for (const [signs, value] of [['1.5', 1.5], ['-.25', -0.25], ['5-', -5], ['-5-', 5], ['1..5', 1.5], ['-', 0], ['.', 0], ['', 0], ['-30', -30], ['123456789012', 123456789]]) {
+        assert.equal(later.numberIn([...signs].reduce(later.typedOn, '')), value, signs);
+    }
+});
+
+test('a verdict waits until the ± allows it, and is the plain comparison when figures are final', () => {
+    const of = (value, error, least = 500) => ({ value, error, least });
+    const cases = [
+        [[of(522, 22)], 'met'], [[of(521.9, 22)], 'open'], [[of(500, 0)], 'met'], [[of(478, 22)], 'open'], [[of(477.9, 22)], 'missed'],
+        [[of(1e6, null)], 'open'], [[of(0, null)], 'open'], [[of(530, Infinity)], 'open'], [[of(1, 1, 0)], 'met'],
+        // All must be met; one that is surely missed decides.
+        [[of(530, 22), of(0.65, 0.04, 0.6)], 'met'], [[of(530, 22), of(0.63, 0.04, 0.6)], 'open'],
+        [[of(530, 22), of(0.55, 0.04, 0.6)], 'missed'], [[of(510, 22), of(0.55, 0.04, 0.6)], 'missed'], [[of(510, 22), of(0.7, null, 0.6)], 'open'],
+    ];
+    for (const [figures, expected] of cases) {
+        assert.equal(later.verdict(figures, false), expected, JSON.stringify(figures));
+        const plain = figures.every(({ value, least }) => value >= least) ? 'met' : 'missed';
+        assert.equal(later.verdict(figures, true), plain, JSON.stringify(figures));
+    }
+    // Wherever the truth lies within the ±, what is decided is true of it, and what becomes known better is never turned round.
+    for (let value = 450; value <= 550; value += 5) for (const error of [0, 3, 20, 60]) {
+        const told = later.verdict([of(value, error)], false);
+        for (let share = -1; share <= 1; share += 0.25) {
+            const truth = value + share * error;
+            if (told !== 'open') assert.equal(later.verdict([of(truth, 0)], true), told);
+        }
+    }
 });
 
 test('check bytes make a code divisible by its generator', () => {

@@ -2,14 +2,17 @@
 
 import {
     adding, asked, ask, back, candles, chosenLamps, clearSolo, command, compareHeld, copyText, DEFAULT_FALSE, deselect, each, edit,
-    exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, handles, hands, here,
-    highlight, history, lampMarks, lamps, listing, lookOnly, looks, panels, PRESETS, register, say, scene, selection, send,
+    exposeBy, falseColor, fine, forth, frameSelection, go, goHome, goInside, goPreset, hands, here,
+    highlight, history, lampMarks, lamps, listing, lookOnly, looks, maintenance, panels, PRESETS, register, say, scene, selection, send,
     sheet, show, soloSelection, spot, startTool, stepSelection, storeLook, storeView, theme, things, titleOf,
     toggleFalse, toggleWipe, travel, views, walking, whyNot, type Action, type Camera, type Hands, type LampKind,
     type Preset,
 } from '../desk';
 import { difference } from './differ';
+import { group, ungroup, whyNotGroup, whyNotUngroup } from './grouping';
 import { most } from './most';
+import { goThere, whyNotThere } from './there';
+import { startTyped } from './typed';
 import { addMeter, aim, copyAlong, removeLamps } from './tools';
 
 const needLamp = () => whyNot() ?? (chosenLamps.value.length ? null : 'Select a lamp first.');
@@ -69,6 +72,7 @@ const list: Action[] = [
             say(walking.peek() === 'walk' ? 'Walking, the eye 1.60 m above the floor' : 'Flying');
         },
     },
+    { id: 'there', group: 'View', label: 'Go to the floor under the pointer', keys: 'double click', run: goThere, why: whyNotThere },
     { id: 'from-lamp', group: 'View', label: 'View from the lamp', keys: 'Shift+L', run: viewFromLamp, why: needLamp },
     { id: 'next', group: 'Select', label: 'Next', keys: ']', run: () => stepSelection(1) },
     { id: 'previous', group: 'Select', label: 'Previous', keys: '[', run: () => stepSelection(-1) },
@@ -83,8 +87,8 @@ const list: Action[] = [
     { id: 'aim', group: 'Lamps', label: 'Aim by pointing', keys: 'T', run: () => startTool('aim'), why: needLamp },
     { id: 'aim-here', group: 'Lamps', label: 'Aim at the point under the pointer', keys: 'Shift+T', run: () => spot.peek() && aim(chosenLamps.peek(), spot.peek()!.point), why: needLamp },
     { id: 'place', group: 'Lamps', label: 'Put on a surface by pointing', keys: 'Shift+N', run: () => startTool('place'), why: needLamp },
-    { id: 'move', group: 'Lamps', label: 'Handles to move', keys: 'G', run: () => (handles.value = 'move') },
-    { id: 'turn', group: 'Lamps', label: 'Handles to turn', keys: 'R', run: () => (handles.value = 'turn') },
+    { id: 'move', group: 'Lamps', label: 'Move: handles, or an axis and metres', keys: 'G, then X Y Z, 0.5', run: () => startTyped('move') },
+    { id: 'turn', group: 'Lamps', label: 'Turn: handles, or an axis and degrees', keys: 'R, then X Y Z, 30', run: () => startTyped('turn') },
     ...KINDS.map(([kind, name]) => ({
         id: `add-${kind}`, group: 'Lamps', label: `Add a ${name} lamp by pointing`, keys: kind === 'spot' ? 'N' : undefined, why: whyNot,
         run: () => {
@@ -94,6 +98,8 @@ const list: Action[] = [
     })),
     { id: 'duplicate', group: 'Lamps', label: 'Duplicate', keys: 'Ctrl+D', run: () => copyAlong(chosenLamps.peek(), 1, [0.5, 0, 0]), why: needLamp },
     { id: 'remove', group: 'Lamps', label: 'Remove', keys: 'Del', run: () => removeLamps(chosenLamps.peek()), why: needLamp },
+    { id: 'group', group: 'Lamps', label: 'Group: one master for those selected', keys: 'Ctrl+G', run: group, why: () => whyNot() ?? whyNotGroup() },
+    { id: 'ungroup', group: 'Lamps', label: 'Dissolve the group, or take lamps out of it', keys: 'Ctrl+Shift+G', run: ungroup, why: () => whyNot() ?? whyNotUngroup() },
     { id: 'hide', group: 'Things', label: 'Hide', keys: 'H', run: () => hide(true), why: whyNot },
     { id: 'unhide', group: 'Things', label: 'Show what is hidden', keys: 'Alt+H', run: () => hide(false), why: whyNot },
     { id: 'undo', group: 'Work', label: 'Undo', keys: 'Ctrl+Z', run: () => command({ do: 'undo' }), why: () => whyNot() ?? (history.value.undo === null ? 'There is nothing to undo.' : null) },
@@ -127,7 +133,7 @@ const list: Action[] = [
     { id: 'meter', group: 'Measure', label: 'Meter under the pointer', keys: 'P', why: whyNot, run: () => (spot.peek() ? addMeter(spot.peek()!.point, spot.peek()!.normal) : startTool('meter')) },
     { id: 'meter-tool', group: 'Measure', label: 'Lay a meter by pointing', run: () => startTool('meter'), why: whyNot },
     { id: 'grid', group: 'Measure', label: 'Lay a grid by two corners', keys: 'Shift+G', run: () => startTool('grid'), why: whyNot },
-    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach', most: most.peek() }), why: whyNot },
+    { id: 'reach', group: 'Measure', label: 'Set the mix so that the targets are reached', run: () => command({ do: 'reach', most: most.peek(), maintenance: maintenance.peek() }), why: whyNot },
     { id: 'units', group: 'Measure', label: 'Lux or foot-candles', run: () => (candles.value = candles.peek() === 'lx' ? 'fc' : 'lx') },
     { id: 'look-store', group: 'Looks', label: 'Store a look', keys: 'Ctrl+Enter', run: storeLook, why: whyNot },
     { id: 'look-recall', group: 'Looks', label: 'Recall a look by its digit', keys: 'J, then 1…9', run: () => say('Press J, then the digit of the look.') },

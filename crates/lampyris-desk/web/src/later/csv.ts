@@ -1,6 +1,6 @@
 // All figures as CSV, made in the page: meters, then each grid with its points.
 
-import { add, grids, maintenance, meters, scale, scene } from '../desk';
+import { gridPoint, grids, maintenance, meters, scene } from '../desk';
 
 const cell = (value: unknown): string => {
     const text = value === null || value === undefined ? '' : String(value);
@@ -20,8 +20,7 @@ export function csv(): string {
         for (const [name, value] of Object.entries(figures)) lines.push([name, value == null ? null : value * kept]);
         lines.push(['uniformity', g.uniformity], ['x [m]', 'y [m]', 'z [m]', 'lux']);
         (g.lux ?? []).forEach((lux, k) => {
-            const [column, row] = [k % g.columns, Math.floor(k / g.columns)];
-            const point = add(g.corner, add(scale(g.u, (column + 0.5) / g.columns), scale(g.v, (row + 0.5) / g.rows)));
+            const point = gridPoint(g, k % g.columns, Math.floor(k / g.columns));
             lines.push([...point.map((v) => v.toFixed(3)), lux === null ? null : lux * kept]);
         });
     }

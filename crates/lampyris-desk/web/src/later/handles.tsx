@@ -6,7 +6,7 @@ import {
     type Id, type Lamp, type Place, type Vec,
 } from '../desk';
 import { placed, positions } from './tools';
-import { mount, type Host, type Target } from './gizmo';
+import { mount, type Hold, type Host, type Target } from './gizmo';
 
 type Quaternion = [number, number, number, number];
 
@@ -99,6 +99,9 @@ const host: Host = {
         };
     },
 };
+
+/** What the handles hold, taken by other means; null where they hold nothing. */
+export const take = (what: 'move' | 'turn'): Hold | null => (target.peek() ? host.hold(what) : null);
 
 export function Gizmo() {
     const svg = useRef<SVGSVGElement>(null);

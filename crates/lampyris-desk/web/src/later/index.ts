@@ -2,6 +2,7 @@
 // from `../desk`, which is the file that is loaded already.
 
 import './actions';
+import './shares';
 export { Compare } from './compare';
 export { Gizmo } from './handles';
 export { Inspector } from './inspector';
@@ -10,6 +11,7 @@ export { Sheets } from './sheets';
 export { SheetHead, SheetRow } from './sheetrow';
 export { Strip } from './strip';
 export { PageItems, SeeingItems, ViewItems } from './menus';
+export { TypedHint } from './typed';
 export { CutBar, ViewStrip } from './views';
 export { WalkPad } from './walkpad';
 export { What } from './what';

@@ -3,10 +3,11 @@
 import {
     act, chosenLamps, dot, edit, format, groups, handles, Icon, lamps, layers, lumensOf, normal, output, percent, positionOf,
     selection, signal, spot, sub, titleOf, tool, toLevel, toTravel, typeLevel, up, Fade, Field, wantLevel, compass,
-    add, scale, length, Range, strokeLevel, useRef, type Lamp, type Place, type Strip, type Vec,
+    add, scale, length, Range, strokeLevel, typeGroupLevel, useRef, type Lamp, type Place, type Strip, type Vec,
 } from '../desk';
 import { copyAlong, placed, positions } from './tools';
 import { ColorPart } from './color';
+import { whyNotGroup, whyNotUngroup } from './grouping';
 import { changed, common, Line, Name, Section, Triple } from './parts';
 
 const count = signal(1);
@@ -30,6 +31,7 @@ export function fromPanTilt(pan: number, tilt: number, above: Vec): Vec {
 
 function Tools({ ids, all }: { ids: number[]; all: Lamp[] }) {
     const aimable = all.some((lamp) => lamp.place?.direction);
+    const grouped = selection.value?.kind === 'group';
     return (
         <div class="tools" role="toolbar" aria-label="Lamps">
             <button aria-pressed={tool.value === 'aim'} aria-disabled={!aimable} title="Aim by pointing (T): then click what shall be lit" onClick={() => act('aim')}><Icon name="aim" />Aim</button>
@@ -37,6 +39,12 @@ function Tools({ ids, all }: { ids: number[]; all: Lamp[] }) {
             <button class="icon" aria-label="View from the lamp" title="View from the lamp (Shift+L)" aria-disabled={!aimable} onClick={() => act('from-lamp')}><Icon name="eye" /></button>
             <button class="icon" aria-label="Frame" title="Frame (F)" onClick={() => act('frame')}><Icon name="frame" /></button>
             <span class="gap" />
+            {whyNotGroup() === null && <button title="Group (Ctrl+G): one master for all of them" onClick={() => act('group')}>Group</button>}
+            {whyNotUngroup() === null && (
+                <button title={grouped ? 'Dissolve the group (Ctrl+Shift+G): its lamps stay' : 'Take out of the group (Ctrl+Shift+G)'} onClick={() => act('ungroup')}>
+                    {grouped ? 'Dissolve' : 'Take out'}
+                </button>
+            )}
             <button title="Off, and not traced (Shift+O)" aria-pressed={all.every((lamp) => lamp.parked)} onClick={() => act('park')}>Park</button>
             <button class="icon" aria-label={`Remove ${titleOf(ids)}`} title="Remove (Del)" onClick={() => act('remove')}><Icon name="bin" /></button>
         </div>
@@ -231,13 +239,14 @@ export function LampInspector() {
     if (!all.length) return <p class="quiet empty">This lamp is gone.</p>;
     const one = all.length === 1 ? all[0] : null;
     const group = one && groups.get(one.group);
-    const asGroup = selection.value?.kind === 'group' ? groups.get(selection.value.ids[0]) : undefined;
+    const now = selection.value;
+    const asGroup = now?.kind === 'group' && now.ids.length === 1 ? groups.get(now.ids[0]) : undefined;
     const layer = one?.layer != null ? layers.value[one.layer] : undefined;
     return (
         <>
             <header class="panel-head">
-                {one ? <Name label="Name of the lamp" value={one.name} set={(name) => edit(`Rename ${one.name}`, { lamps: { [ids[0]]: { name } } })} />
-                    : asGroup ? <Name label="Name of the group" value={asGroup.name} set={(name) => edit(`Rename ${asGroup.name}`, { groups: { [(selection.value as { ids: number[] }).ids[0]]: { name } } })} />
+                {asGroup && now ? <Name label="Name of the group" value={asGroup.name} set={(name) => edit(`Rename ${asGroup.name}`, { groups: { [now.ids[0]]: { name } } })} />
+                    : one ? <Name label="Name of the lamp" value={one.name} set={(name) => edit(`Rename ${one.name}`, { lamps: { [ids[0]]: { name } } })} />
                         : <h2>{all.length} lamps</h2>}
             </header>
             <p class="crumbs">
@@ -245,6 +254,11 @@ export function LampInspector() {
             </p>
             <div class="scroll">
                 <Tools ids={ids} all={all} />
+                {asGroup && now && (
+                    <Section title="Group" note="re-mix">
+                        <Line label="Master" name="Master of the group" quantity="level" step={0.01} value={asGroup.level} set={(apply) => typeGroupLevel(now.ids[0], apply)} />
+                    </Section>
+                )}
                 <LightPart ids={ids} all={all} />
                 <Section title="Photometry">
                     <button class="plain full" disabled title="Photometric files (IES, LDT) come with a later version">IES or LDT file… comes later</button>

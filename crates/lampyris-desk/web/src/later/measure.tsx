@@ -1,9 +1,10 @@
 // Inspectors of meters and grids. Both are kept whole, so that an edit sends all that they are but their figures.
 
 import {
-    deselect, digits, edit, grids, Icon, length, luxText, maintenance, meters, selection, type Grid, type Meter,
+    add, deselect, digits, dot, edit, grids, Icon, length, maintained, maintenance, meters, scale, selection, up, type Grid, type Meter,
 } from '../desk';
-import { spacing } from './tools';
+import { gridIsPoor, gridVerdict, meterIsPoor, meterVerdict, Said } from './figures';
+import { counts, floorLevel, inner } from './area';
 import { changed, Line, Name, Section, Triple } from './parts';
 
 const KINDS: [Meter['kind'], string][] = [['surface', 'on the surface'], ['horizontal', 'horizontal'], ['vertical', 'vertical'], ['cylindrical', 'cylindrical'], ['camera', 'toward the camera']];
@@ -13,13 +14,13 @@ export function MeterInspector() {
     const meter = meters.get(id);
     if (!meter) return <p class="quiet empty">This meter is gone.</p>;
     const set = (label: string, change: Partial<Meter>) => {
-        const { lux: _, ...kept } = { ...meter, ...change };
+        const { lux: _, done: __, ...kept } = { ...meter, ...change };
         edit(`${meter.name}: ${label}`, { meters: { [id]: kept } });
     };
     return (
         <>
             <header class="panel-head"><Name label="Name of the meter" value={meter.name} set={(name) => set('rename', { name })} /></header>
-            <p class="crumbs">{meter.lux?.[1] != null ? `${luxText(meter.lux[0] * maintenance.value)} ±${luxText(meter.lux[1] * maintenance.value, false)}` : 'measuring'}</p>
+            <p class={`crumbs ${meterIsPoor(meter) ? 'unsettled' : 'known'}`}>{meter.lux?.[1] != null ? `${maintained(meter.lux[0])} ±${maintained(meter.lux[1], false)}` : 'measuring'}</p>
             <div class="scroll">
                 <Section title="Meter">
                     <label class="line">
@@ -29,7 +30,8 @@ export function MeterInspector() {
                         </select>
                     </label>
                     <Triple label="Point" quantity="length" step={0.01} value={meter.point} set={(axis, apply) => set('move', { point: changed(meter.point, axis, apply) })} />
-                    <Line label="Shall read" quantity="lux" step={50} value={meter.target ?? 0} set={(apply) => set('target', { target: apply(meter.target ?? 0) || null })} />
+                    <Line label="At least" quantity="lux" step={50} value={meter.target ?? 0} set={(apply) => set('target', { target: apply(meter.target ?? 0) || null })} />
+                    <Said of={meterVerdict(meter)} />
                     <Triple label="Faces" quantity="number" step={0.1} value={meter.normal.map((v) => Math.round(v * 1e3) / 1e3)} set={(axis, apply) => set('turn', { normal: changed(meter.normal, axis, apply) })} />
                     <button class="plain full" onClick={() => {
                         deselect();
@@ -50,14 +52,16 @@ export function GridInspector() {
     if (!grid) return <p class="quiet empty">This grid is gone.</p>;
     const kept = maintenance.value;
     const set = (label: string, change: Partial<Grid>) => {
-        const { name, corner, u, v, normal, columns, rows, target } = { ...grid, ...change };
-        edit(`${grid.name}: ${label}`, { grids: { [id]: { name, corner, u, v, normal, columns, rows, target } } });
+        const { name, corner, u, v, normal, columns, rows, border, target } = { ...grid, ...change };
+        edit(`${grid.name}: ${label}`, { grids: { [id]: { name, corner, u, v, normal, columns, rows, border, target } } });
     };
-    const standard = () => {
-        const p = spacing(Math.max(length(grid.u), length(grid.v)));
-        set('standard spacing', { columns: Math.max(1, Math.ceil(length(grid.u) / p)), rows: Math.max(1, Math.ceil(length(grid.v) / p)) });
+    const standard = (label: string, border = grid.border) => {
+        const [columns, rows] = counts([inner(length(grid.u), border), inner(length(grid.v), border)]);
+        set(label, { columns, rows, border });
     };
+    const height = dot(grid.corner, up.value) - floorLevel();
     const figure = (name: string, value: number | null | undefined, text: (v: number) => string) => <><dt>{name}</dt><dd>{value == null ? '…' : text(value)}</dd></>;
+    const off = (value: number | null | undefined, text: (v: number) => string) => (value == null ? '' : ` ±${text(value)}`);
     const target = grid.target ?? { lux: 500, uniformity: 0.6 };
     return (
         <>
@@ -65,16 +69,16 @@ export function GridInspector() {
             <p class="crumbs">{digits(length(grid.u), 2)} × {digits(length(grid.v), 2)} m, {digits(grid.columns * grid.rows)} points</p>
             <div class="scroll">
                 <Section title="Figures" note={kept === 1 ? 'new' : `× ${digits(kept, 2)}`}>
-                    <dl class="figures">
-                        {figure('Ē', grid.mean, (v) => luxText(v * kept))}
-                        {figure('E min', grid.min, (v) => luxText(v * kept))}
-                        {figure('E max', grid.max, (v) => luxText(v * kept))}
-                        {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2))}
+                    <dl class={`figures ${gridIsPoor(grid) ? 'unsettled' : ''}`}>
+                        {figure('Ē', grid.mean, (v) => maintained(v) + off(grid.error, (e) => maintained(e, false)))}
+                        {figure('E min', grid.min, (v) => maintained(v))}
+                        {figure('E max', grid.max, (v) => maintained(v))}
+                        {figure('U₀ = min / mean', grid.uniformity, (v) => digits(v, 2) + off(grid.uniformity_error, (e) => digits(e, 2)))}
                         {figure('U d = min / max', grid.max ? (grid.min ?? 0) / grid.max : null, (v) => digits(v, 2))}
-                        {figure('± of Ē', grid.error, (v) => luxText(v * kept))}
                     </dl>
                 </Section>
                 <Section title="Target">
+                    <Said of={gridVerdict(grid)} />
                     <label class="line">
                         <span>Class</span>
                         <select aria-label="Class of the target" value="" onChange={(e) => {
@@ -91,9 +95,11 @@ export function GridInspector() {
                 </Section>
                 <Section title="Area">
                     <Triple label="Corner" quantity="length" step={0.01} value={grid.corner} set={(axis, apply) => set('move', { corner: changed(grid.corner, axis, apply) })} />
+                    <Line label="Height" name="Height above the floor" quantity="length" step={0.01} value={height} set={(apply) => set('height', { corner: add(grid.corner, scale(up.value, apply(height) - height)) })} />
+                    <Line label="Border" quantity="length" step={0.05} value={grid.border ?? 0} set={(apply) => standard('border', Math.max(0, apply(grid.border ?? 0)))} />
                     <Line label="Columns" quantity="number" step={1} value={grid.columns} set={(apply) => set('spacing', { columns: Math.max(1, Math.min(200, Math.round(apply(grid.columns)))) })} />
                     <Line label="Rows" quantity="number" step={1} value={grid.rows} set={(apply) => set('spacing', { rows: Math.max(1, Math.min(200, Math.round(apply(grid.rows)))) })} />
-                    <button class="plain full" title="EN 12464-1: p = 0.2 · 5^log d" onClick={standard}>Spacing of the standard</button>
+                    <button class="plain full" title="EN 12464-1: p = 0.2 · 5^log d" onClick={() => standard('standard spacing')}>Spacing of the standard</button>
                     <button class="plain full" onClick={() => {
                         deselect();
                         edit(`Remove ${grid.name}`, { grids: { [id]: null } });

@@ -2,7 +2,7 @@
 
 import {
     act, candles, command, digits, edit, Field, filterOf, go, history, hovered, Icon, layers, lookOnly, maintenance, materials,
-    percent, scene, select, signal, singleKeys, sub, things, travel, Virtual,
+    percent, scene, select, signal, singleKeys, sub, things, travel, Virtual, workPlane,
 } from '../desk';
 import { Section } from './parts';
 
@@ -38,6 +38,10 @@ export function SceneTab() {
                     {maintenance.value === 1 ? 'New installation: figures as they are.' : 'Every figure is multiplied by this.'}
                     {maintenance.value === 1 && <button class="plain" onClick={() => (maintenance.value = 0.8)}>0.80</button>}
                 </p>
+                <label class="line">
+                    <span>Work plane</span>
+                    <Field label="Work plane above the floor" quantity="length" value={workPlane.value} step={0.05} set={(apply) => (workPlane.value = Math.max(0, Math.min(3, apply(workPlane.value))))} />
+                </label>
                 <div class="line">
                     <span>Unit</span>
                     <div class="segments" role="group" aria-label="Unit of illuminance">

@@ -1,12 +1,13 @@
 // The strip under the view: looks, and what meters and grids say.
 
 import {
-    act, command, digits, display, fade, Field, grids, Icon, looks, luxText, maintenance, meters, select, selection, show,
-    signal, signed, status, storeLook,
+    act, command, digits, display, fade, Field, grids, Icon, looks, luxText, maintained, maintenance, meters, select, selection, show,
+    signal, signed, storeLook,
 } from '../desk';
 import { difference } from './differ';
 import { most } from './most';
 import { saveCsv } from './csv';
+import { gridIsPoor, gridVerdict, Mark, meterIsPoor, meterVerdict } from './figures';
 
 const tab = signal<'looks' | 'meters'>('looks');
 
@@ -84,9 +85,6 @@ function LookMenu({ id, name }: { id: number; name: string }) {
     );
 }
 
-/** True while figures are still on their way. */
-const settling = () => status.value?.stage === 'moving' || status.value?.stage === 'refining' || status.value?.stage === 'loading';
-
 /** By how much a reading is more than in the look that is compared with. */
 const change = (by: number | null | undefined, kept: number) => (by == null ? '' : ` · Δ ${signed(by * kept)}`);
 
@@ -111,14 +109,13 @@ function Readings() {
             <ul>
                 {meters.all().map(([id, meter]) => {
                     const lux = meter.lux;
-                    const poor = lux?.[1] == null || lux[1] > 0.02 * lux[0] || settling();
                     return (
                         <li key={`m${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'meter' && selection.value.ids.includes(id)} onClick={() => select('meter', id)}>
-                                <span class="tint"><Icon name="meter" />{meter.name}</span>
-                                <strong class={poor ? 'unsettled' : ''}>{lux ? luxText(lux[0] * kept) : '…'}</strong>
+                                <span class="tint"><Icon name="meter" />{meter.name} <Mark of={meterVerdict(meter)} /></span>
+                                <strong class={meterIsPoor(meter) ? 'unsettled' : ''}>{lux ? maintained(lux[0]) : '…'}</strong>
                                 <small>
-                                    {lux?.[1] != null ? `±${luxText(lux[1] * kept, false)}` : 'measuring'} {meter.kind}
+                                    {lux?.[1] != null ? `±${maintained(lux[1], false)}` : 'measuring'} {meter.kind}
                                     {change(meter.change, kept)}
                                     {meter.target ? ` · wants ${luxText(meter.target)}` : ''}
                                 </small>
@@ -128,19 +125,16 @@ function Readings() {
                 })}
                 {grids.all().map(([id, grid]) => {
                     const target = grid.target;
-                    // ± of a mean takes its points to be off all the same way: it is wider than that of a meter.
-                    const poor = grid.mean == null || grid.error == null || grid.error > 0.05 * grid.mean || settling();
-                    const met = target && grid.mean != null && grid.uniformity != null && grid.mean * kept >= target.lux && grid.uniformity >= target.uniformity;
                     return (
                         <li key={`g${id}`}>
                             <button class="reading" aria-pressed={selection.value?.kind === 'grid' && selection.value.ids.includes(id)} onClick={() => select('grid', id)}>
-                                <span class="tint"><Icon name="grid" />{grid.name} {target && grid.mean != null && <b class={met ? 'met' : 'missed'}>{met ? '✓' : '✗'}</b>}</span>
-                                <strong class={poor ? 'unsettled' : ''}>
-                                    {grid.mean == null ? '…' : `Ē ${luxText(grid.mean * kept)}${grid.error == null ? '' : ` ±${luxText(grid.error * kept, false)}`}`}
+                                <span class="tint"><Icon name="grid" />{grid.name} <Mark of={gridVerdict(grid)} /></span>
+                                <strong class={gridIsPoor(grid) ? 'unsettled' : ''}>
+                                    {grid.mean == null ? '…' : `Ē ${maintained(grid.mean)}${grid.error == null ? '' : ` ±${maintained(grid.error, false)}`}`}
                                 </strong>
                                 <small>
-                                    U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : luxText(grid.min * kept, false)} to{' '}
-                                    {grid.max == null ? '…' : luxText(grid.max * kept, false)}
+                                    U₀ {grid.uniformity == null ? '…' : digits(grid.uniformity, 2)} · {grid.min == null ? '…' : maintained(grid.min, false)} to{' '}
+                                    {grid.max == null ? '…' : maintained(grid.max, false)}
                                     {change(grid.change, kept)}
                                     {target ? ` · wants ${luxText(target.lux)}, U₀ ${digits(target.uniformity, 2)}` : ''}
                                 </small>

@@ -2,12 +2,16 @@
 // to the places of lamps.
 
 import {
-    add, adding, chosenLamps, cross, distance, dot, edit, effect, free, grids, lamps, meters, normal, onTool, positionOf, say,
-    scale, select, step, sub, titleOf, tool, up,
+    add, adding, chosenLamps, distance, dot, edit, effect, free, grids, lamps, meters, normal, onTool, positionOf, say, scale,
+    select, step, sub, titleOf, tool, untracked, up, workPlane,
     type Hit, type Id, type Kind, type LampKind, type Patch, type Slice, type Vec,
 } from '../desk';
+import { between, floorLevel } from './area';
 
-let corner: { point: Vec; normal: Vec } | null = null;
+let corner: Hit | null = null;
+
+/** What desks ask for. */
+const TARGET = { lux: 500, uniformity: 0.6 };
 
 // A corner waits for the other as long as its tool is in the hand.
 effect(() => {
@@ -34,7 +38,7 @@ function apply(hit: Hit | null): void {
                 corner = hit;
                 return;
             }
-            addGrid(corner.point, hit.point);
+            addGrid(corner, hit);
             corner = null;
             tool.value = null;
             break;
@@ -86,32 +90,13 @@ export function addMeter(point: Vec, axis: Vec): void {
     edit('Lay a meter', { meters: { [id]: { name: `Meter ${id + 1}`, kind: 'surface', point, normal: axis } } });
 }
 
-/** Spacing of points on an area by EN 12464-1: p = 0.2 · 5^(log₁₀ d), at most 10 m. */
-export function spacing(d: number): number {
-    return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(d, 0.01)));
-}
-
-/** A level grid between two corners, on a work plane 0.75 m above the floor where the corners are on the floor. */
-export function addGrid(a: Vec, b: Vec, target = { lux: 500, uniformity: 0.6 }): void {
-    const above = up.peek();
-    const side: Vec = Math.abs(above[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0];
-    const other = normal(cross(above, side));
-    const d = sub(b, a);
-    let [u, v] = [dot(d, side), dot(d, other)];
-    if (Math.abs(u) < 0.05 || Math.abs(v) < 0.05) return say('An area needs two corners that lie apart.', 'warn');
-    const origin = add(a, add(scale(side, Math.min(u, 0)), scale(other, Math.min(v, 0))));
-    [u, v] = [Math.abs(u), Math.abs(v)];
-    const cells = (length: number) => Math.max(1, Math.ceil(length / spacing(Math.max(u, v))));
+/** An area between two corners that were pointed at. */
+function addGrid(a: Hit, b: Hit): void {
+    const area = between(a, b, up.peek(), untracked(floorLevel), workPlane.peek());
+    if (!area) return say('An area needs two corners that lie apart.', 'warn');
     const id = free(grids);
     selectNext(grids as unknown as Slice<object>, 'grid');
-    edit('Lay a grid', {
-        grids: {
-            [id]: {
-                name: `Area ${id + 1}`, corner: origin, u: scale(side, u), v: scale(other, v), normal: above,
-                columns: cells(u), rows: cells(v), target,
-            },
-        },
-    });
+    edit('Lay a grid', { grids: { [id]: { name: `Area ${id + 1}`, ...area, target: TARGET } } });
 }
 
 const NAMES: Partial<Record<LampKind, string>> = { point: 'Point', spot: 'Spot', disc: 'Area', sphere: 'Sphere' };

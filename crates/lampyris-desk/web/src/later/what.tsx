@@ -2,7 +2,7 @@
 // error. It gets better while it is open, and follows the lamps.
 
 import {
-    chosenLamps, closeWhat, digits, hovered, Icon, lamps, luxText, nameOf, select, useEffect, useRef, viewSize, what,
+    chosenLamps, closeWhat, digits, hovered, Icon, lamps, maintained, nameOf, select, useEffect, useRef, viewSize, what,
     type Share,
 } from '../desk';
 import { addMeter, aim } from './tools';
@@ -25,7 +25,7 @@ export function What() {
     const left = Math.max(8, Math.min(now.x + 12, w - 332));
     // As high as it is going to be, for it must not hang over the edge.
     const top = Math.max(8, Math.min(now.y + 12, h - 150 - 35 * shown.length));
-    const title = now.lux ? `${luxText(now.lux[0])} ±${luxText(now.lux[1], false)}` : 'Measuring…';
+    const title = now.lux ? `${maintained(now.lux[0])} ±${maintained(now.lux[1], false)}` : 'Measuring…';
     return (
         <div
             class="what sheetlet"
@@ -57,21 +57,21 @@ export function What() {
                         <button class="row" onClick={() => select('lamp', share.id)}>
                             <span class="name">{nameOf('lamp', share.id)}</span>
                             <span class="figure">{digits((100 * total(share)) / sum, total(share) / sum < 0.0995 ? 1 : 0)} %</span>
-                            <span class="figure lux">{luxText(total(share))} ±{luxText(error(share), false)}</span>
+                            <span class="figure lux">{maintained(total(share))} ±{maintained(error(share), false)}</span>
                             <span class="shares" aria-hidden="true">
                                 <i class="direct" style={{ width: `${(100 * share.direct[0]) / sum}%` }} />
                                 <i class="indirect" style={{ width: `${(100 * share.indirect[0]) / sum}%` }} />
                                 <i class="caustic" style={{ width: `${(100 * share.caustic[0]) / sum}%` }} />
                             </span>
                             <span class="spoken">
-                                direct {luxText(share.direct[0])}, indirect {luxText(share.indirect[0])}, caustic{' '}
-                                {luxText(share.caustic[0])}
+                                direct {maintained(share.direct[0])}, indirect {maintained(share.indirect[0])}, caustic{' '}
+                                {maintained(share.caustic[0])}
                             </span>
                         </button>
                     </li>
                 ))}
                 {rows.length > shown.length && (
-                    <li class="quiet">{rows.length - shown.length === 1 ? 'one more' : `${rows.length - shown.length} more together`}: {luxText(rest)}</li>
+                    <li class="quiet">{rows.length - shown.length === 1 ? 'one more' : `${rows.length - shown.length} more together`}: {maintained(rest)}</li>
                 )}
                 {!rows.length && <li class="quiet">{now.done ? 'No lamp reaches this point.' : 'Gathering light…'}</li>}
             </ol>
