@@ -227,7 +227,7 @@ impl Screen {
                 bytes: begun.elapsed().as_secs_f32(),
             };
             let bytes = [&head.write()[..], &picture].concat();
-            hub.show(Shown { bytes, camera: light.camera });
+            hub.show(Shown { bytes: bytes.into(), camera: light.camera });
             // A fade is not shown more often than a display shows it.
             if fading {
                 std::thread::sleep(Duration::from_millis(25).saturating_sub(begun.elapsed()));

@@ -146,6 +146,8 @@ pub(crate) fn run(
     let document = opened.document.document.clone();
     opened.document.scene = scene;
     let mut stage = Stage::open(opened, document, saver, options, inbox)?;
+    // A sketch is there long before the first batch of the picture.
+    stage.begin_to_move()?;
     while let Some((mut opened, desk)) = stage.work(studio, screen, inbox)? {
         let document = stage.document(desk)?;
         let (scene, lost) = document.apply(std::mem::take(&mut opened.document.scene));
@@ -175,7 +177,7 @@ pub(crate) fn bare(scene: &Scene) -> Scene {
 pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
     let mut text = serde_json::to_value(look).unwrap_or_default();
     (text["is"], text["number"]) = ("camera".into(), number.into());
-    CameraText { number, text: text.to_string() }
+    CameraText { number, text: text.to_string().into() }
 }
 
 /// A batch that is soon done, of a picture that is soon another.
@@ -359,7 +361,9 @@ impl Stage {
         if let Some(size) = work.size.filter(|size| *size != self.size) {
             self.size = size;
             self.session.resize(size)?;
+            // Something is seen at once, though it be coarse.
             self.moved = None;
+            self.begin_to_move()?;
         }
         if let Some(survey) = work.survey.filter(|survey| *survey != self.survey) {
             self.survey = survey;
