@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var E, Yr, Mo, Fe, xo, Tn, Qr, Cn, Jr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Qr, Mo, Fe, xo, Tn, Jr, Cn, Zr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function Zr(e, t, n) {
+function ei(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
   return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Yr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Qr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -25,26 +25,26 @@ function Ne(e, t) {
 }
 function us(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ii(r, t, i), n.__ = n.__e = null, t.__e != o && ei(t));
+  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ai(r, t, i), n.__ = n.__e = null, t.__e != o && ti(t));
 }
-function ei(e) {
+function ti(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), ei(e);
+  }), ti(e);
 }
-function Gr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ti);
+function Xr(e) {
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ni);
 }
-function ti() {
+function ni() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Qr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Jr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
   } finally {
-    (Tn = Fe.length) && (xo || queueMicrotask)(ti);
+    (Tn = Fe.length) && (xo || queueMicrotask)(ni);
   }
 }
-function ni(e, t, n, o, r, i, a, s, p, c, u) {
+function oi(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = oi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ri(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
 function cs(e, t, n, o, r) {
@@ -60,11 +60,11 @@ function cs(e, t, n, o, r) {
   if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
   return o;
 }
-function oi(e, t, n, o) {
+function ri(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = oi(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ri(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
@@ -80,17 +80,17 @@ function fs(e, t, n, o) {
   }
   return -1;
 }
-function Xr(e, t, n) {
+function Yr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function Mn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Xr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Xr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Yr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Yr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Jr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Zr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -135,7 +135,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
       while (8 & f.__g && ++Je < 25);
       k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
         V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ni(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = oi(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (V) {
       if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
@@ -154,7 +154,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
         (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ri(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || ii(t), E.__e(V, t, n);
     }
   } else s = t.__e = ds(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
@@ -168,10 +168,10 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function ri(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ri));
+function ii(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ii));
 }
-function ii(e, t, n) {
+function ai(e, t, n) {
   for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
   E.__c && E.__c(t, e), e.some(function(r) {
     try {
@@ -199,7 +199,7 @@ function ds(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ni(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), oi(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -226,9 +226,9 @@ function Lo(e, t, n) {
 function ms(e, t, n) {
   return this.constructor(e, n);
 }
-function ai(e, t) {
+function si(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ii(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ai(r, t.__k, i), t.__k.props.children = null;
 }
 E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,19 +240,19 @@ E = { __e: function(e, t, n, o) {
     }
   }
   throw Tn = 0, e;
-} }, Yr = 0, Mo = function(e) {
+} }, Qr = 0, Mo = function(e) {
   return e != null && e.constructor === zt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Gr(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Xr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Gr(this));
-}, gt.prototype.render = X, Fe = [], Tn = 0, Qr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Xr(this));
+}, gt.prototype.render = X, Fe = [], Tn = 0, Jr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Jr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
+}, Cn = /* @__PURE__ */ Symbol(), Zr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, si, hs = Object.is, Io = 0, vi = [], Ao = [], j = E, li = j.__b, ui = j.__r, ci = j.diffed, fi = j.__c, pi = j.unmount, di = j.__;
+var Xt, re, Vo, li, hs = Object.is, Io = 0, gi = [], Ao = [], j = E, ui = j.__b, ci = j.__r, fi = j.diffed, pi = j.__c, di = j.unmount, mi = j.__;
 function Oo(e, t) {
   j.__h && j.__h(re, e, Io || t), Io = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
@@ -283,7 +283,7 @@ function gs() {
     } catch (n) {
       j.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = vi.shift(); ) {
+    for (; e = gi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
@@ -294,19 +294,19 @@ function gs() {
   } while (Ao.length);
 }
 j.__b = function(e) {
-  re = null, li && li(e);
+  re = null, ui && ui(e);
 }, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), di && di(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), mi && mi(e, t);
 }, j.__r = function(e) {
-  ui && ui(e), Xt = 0;
+  ci && ci(e), Xt = 0;
   var t = (re = e.__c).__H;
   t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Vo = re;
 }, j.diffed = function(e) {
-  ci && ci(e);
+  fi && fi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && hi(vi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && vi(gi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Vo = re = null;
 }, j.__c = function(e, t) {
@@ -320,9 +320,9 @@ j.__b = function(e) {
         throw o;
       }];
     }
-  }), fi && fi(e, t);
+  }), pi && pi(e, t);
 }, j.unmount = function(e) {
-  pi && pi(e);
+  di && di(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, hi(Ao.push(r));
+        r.__P = n, vi(Ao.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
-var mi = typeof requestAnimationFrame == "function";
+var hi = typeof requestAnimationFrame == "function";
 function bs(e) {
   var t, n = function() {
-    clearTimeout(o), mi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), hi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  mi && (t = requestAnimationFrame(n));
+  hi && (t = requestAnimationFrame(n));
 }
-function hi(e) {
-  e != 1 && si == j.requestAnimationFrame || ((si = j.requestAnimationFrame) || bs)(gs);
+function vi(e) {
+  e != 1 && li == j.requestAnimationFrame || ((li = j.requestAnimationFrame) || bs)(gs);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -380,7 +380,7 @@ function Rn() {
       var n = Qt;
       for (Qt = void 0, Vn++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && bi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && yi(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -411,7 +411,7 @@ function ie(e) {
   }
 }
 var Qt = void 0, Re = 0, Vn = 0, _s = 0, Ko = 0, In = void 0, An = 0;
-function gi(e) {
+function bi(e) {
   if (O !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== O)
@@ -469,7 +469,7 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = gi(this);
+  var e = bi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
@@ -487,11 +487,11 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
 function g(e, t) {
   return new Y(e, t);
 }
-function bi(e) {
+function yi(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function yi(e) {
+function _i(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,7 +500,7 @@ function yi(e) {
     }
   }
 }
-function _i(e) {
+function wi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -514,17 +514,17 @@ tt.prototype = new Y();
 tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !bi(this))
+  if (this.g = An, this.f |= 1, this.i > 0 && !yi(this))
     return this.f &= -2, !0;
   var e = O;
   try {
-    yi(this), O = this;
+    _i(this), O = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, _i(this), this.f &= -2, !0;
+  return O = e, wi(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -547,14 +547,14 @@ tt.prototype.N = function() {
 };
 Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = gi(this);
+  var e = bi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
   return new tt(e, t);
 }
-function wi(e) {
+function ki(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Re++;
@@ -571,11 +571,11 @@ function wi(e) {
 }
 function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, wi(e);
+  e.x = void 0, e.s = void 0, ki(e);
 }
 function ws(e) {
   if (O !== this) throw new Error("Out-of-order effect");
-  _i(this), O = e, this.f &= -2;
+  wi(this), O = e, this.f &= -2;
   try {
     8 & this.f && Do(this);
   } finally {
@@ -597,7 +597,7 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, wi(this), yi(this), Re++;
+  this.f |= 1, this.f &= -9, ki(this), _i(this), Re++;
   var e = O;
   return O = this, ws.bind(this, e);
 };
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, ki = [], xi = [];
+var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, xi = [], Si = [];
 T(function() {
   Fo = this.N;
 })();
@@ -637,7 +637,7 @@ function Jt(e) {
   }
   Hn = e && e.S();
 }
-function Si(e) {
+function Mi(e) {
   var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Ln(function() {
@@ -651,7 +651,7 @@ function Si(e) {
     }), u = N(function() {
       return !Array.isArray(c.value) && !Mo(c.value);
     }), d = T(function() {
-      if (this.N = Mi, u.value) {
+      if (this.N = Ci, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function Si(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Si.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: Zr(X, null).constructor }, type: { configurable: !0, value: Si }, props: { configurable: !0, get: function() {
+Mi.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: ei(X, null).constructor }, type: { configurable: !0, value: Mi }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -723,7 +723,7 @@ function xs(e, t, n, o) {
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: T(function() {
-    this.N = Mi;
+    this.N = Ci;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -788,21 +788,21 @@ var Ss = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
 };
 function Cs() {
   On(function() {
-    for (var e; e = ki.shift(); ) Fo.call(e);
-  });
-}
-function Es() {
-  ki.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
-}
-function Ts() {
-  On(function() {
     for (var e; e = xi.shift(); ) Fo.call(e);
   });
 }
-function Mi() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+function Es() {
+  xi.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
 }
-function Ci(e, t) {
+function Ts() {
+  On(function() {
+    for (var e; e = Si.shift(); ) Fo.call(e);
+  });
+}
+function Ci() {
+  Si.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+}
+function Ei(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
@@ -854,22 +854,22 @@ function $s(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
 }
-function Ei(e, t, n, o) {
+function Ti(e, t, n, o) {
   let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, S(d, i)) };
 }
-function Ti(e, t, n, o, r) {
+function Pi(e, t, n, o, r) {
   let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
   return je(e, c);
 }
-function Pi(e, t, n, o, r) {
+function $i(e, t, n, o, r) {
   let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), ot(i));
   return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
 }
 function je(e, t) {
   return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
 }
-function $i(e, t, n, o, r) {
+function Li(e, t, n, o, r) {
   let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Kn, Math.min(Kn, a + r)), p = J(ge(i, t), J(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
   return {
     ...e,
@@ -878,7 +878,7 @@ function $i(e, t, n, o, r) {
     target: I(n, c(K(e.target, n)))
   };
 }
-function Li(e, t, n, o, r) {
+function Vi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
   return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
 }
@@ -895,7 +895,7 @@ function Fn(e, t, n, o, r) {
   );
   return { ...je(e, s), height: i };
 }
-function Vi(e, t, n = 0.4) {
+function Ii(e, t, n = 0.4) {
   let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
   if (e.height) {
     let s = q(K(e.eye, o), i);
@@ -905,12 +905,12 @@ function Vi(e, t, n = 0.4) {
   return { ...e, eye: I(o, S(i, a)), target: o };
 }
 var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
-function Ii(e) {
+function Ai(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
   return { right: J(ge(n, e)), ahead: n };
 }
-function Ai(e, t, n, o) {
-  let { right: r, ahead: i } = Ii(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
+function Ri(e, t, n, o) {
+  let { right: r, ahead: i } = Ai(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
     plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -933,13 +933,13 @@ var ae = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Ri = 0;
+}, Oi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Ri = t.timeStamp, { capture: !0, passive: !0 });
-function Oi(e, t) {
-  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Ri }), ae.sent.length > 1024 && ae.sent.shift();
+  addEventListener(e, (t) => Oi = t.timeStamp, { capture: !0, passive: !0 });
+function Hi(e, t) {
+  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Oi }), ae.sent.length > 1024 && ae.sent.shift();
 }
-function Hi(e) {
+function Ki(e) {
   ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -1001,7 +1001,7 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Ki(e) {
+function Di(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1040,7 +1040,7 @@ var Ee = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Ki(a.shown.peek()) !== Ki(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Di(a.shown.peek()) !== Di(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
     }
     n && this.number();
   }
@@ -1071,13 +1071,13 @@ var Ee = class {
   editor: F,
   status: Te
 };
-function Di(e) {
+function Fi(e) {
   Nn.clear();
   for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
   for (let [t, n] of Object.entries(qo)) t in e && (n.value = e[t]);
   kt(e.display) && jn.receive(e.display);
 }
-function Fi(e, t) {
+function Ni(e, t) {
   for (let [n, o] of Object.entries(e))
     n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in qo && (qo[n].value = o);
   Et(t);
@@ -1085,7 +1085,7 @@ function Fi(e, t) {
 function Et(e) {
   for (let t of [...Nn]) t.release(e);
 }
-function Ni(e, t) {
+function qi(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in rn && kt(o))
       for (let [r, i] of Object.entries(o)) {
@@ -1094,7 +1094,7 @@ function Ni(e, t) {
       }
     else n === "display" && kt(o) && t(jn, o);
 }
-var jo = (e, t) => Ni(e, (n, o) => n.keep(o, t)), Un = (e, t) => Ni(e, (n, o) => n.settle(o, t));
+var jo = (e, t) => qi(e, (n, o) => n.keep(o, t)), Un = (e, t) => qi(e, (n, o) => n.settle(o, t));
 function st(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
@@ -1105,7 +1105,7 @@ function Uo(e) {
     return t + (o ? o.flux * st(o) : 0);
   }, 0);
 }
-var qi = N(() => {
+var ji = N(() => {
   let e = M.all();
   return e.length > 0 && e.every(([, t]) => st(t) === 0);
 });
@@ -1115,15 +1115,15 @@ function Vs(e, t) {
 }
 
 // src/wire.ts
-var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), ji = () => null, Ui = (e) => {
-  ji = e;
+var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), Ui = () => null, Wi = (e) => {
+  Ui = e;
 }, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
 function xe(e, t) {
   let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
   return Bn.set(e, n.add(t)), () => n.delete(t);
 }
 function H(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Oi(ln, e.do), ln);
+  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Hi(ln, e.do), ln);
 }
 var Is = 0, lt = /* @__PURE__ */ new Map();
 function Se(e, t, n, o = () => {
@@ -1152,10 +1152,10 @@ function As(e) {
       Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      Di(e.state ?? e);
+      Fi(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Fi(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Ni(e.patch ?? {}, Ke.value);
       break;
     case "status":
       Te.value = e;
@@ -1175,7 +1175,7 @@ function As(e) {
 function Bo(e) {
   typeof e == "number" && e > Ke.value && (Ke.value = e);
 }
-async function Wi() {
+async function Bi() {
   if (!Tt) return "in";
   try {
     return (await fetch("/enter", {
@@ -1187,14 +1187,14 @@ async function Wi() {
     return "away";
   }
 }
-function Bi() {
+function zi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
   Ue = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
     if (t !== Ue) return;
     if (typeof o.data != "string") {
-      let i = ji(o.data);
+      let i = Ui(o.data);
       i && F.value.you && Bo(i.seq);
       return;
     }
@@ -1206,7 +1206,7 @@ function Bi() {
 }
 async function Rs(e) {
   if (Et(1 / 0), !e && await Os()) {
-    let o = await Wi();
+    let o = await Bi();
     if (o === "denied" || o === "in" && un > 4 && !Tt) {
       U.value = "denied";
       return;
@@ -1218,7 +1218,7 @@ async function Rs(e) {
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, Bi();
+  cn.value = 0, zi();
 }
 async function Os() {
   try {
@@ -1227,20 +1227,20 @@ async function Os() {
     return !1;
   }
 }
-async function zi() {
+async function Gi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Wi() === "denied") {
+  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Bi() === "denied") {
     U.value = "denied";
     return;
   }
-  Bi();
+  zi();
 }
 xe("hello", () => zn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Gi = ["moving", "settled", "final"], Xi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
+var W = g(null), $t = g(0), Xi = ["moving", "settled", "final"], Yi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
 function Hs(e) {
-  if (e.byteLength < Xi) return null;
+  if (e.byteLength < Yi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function Hs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Gi[Math.min(t.getUint8(16), 2)],
+    kind: Xi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1265,7 +1265,7 @@ async function Ds() {
     let { head: e, mime: t, bytes: n, received: o } = ut;
     ut = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Xi)], { type: t }));
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Yi)], { type: t }));
       Fs(e, r, n.byteLength, o);
     } catch {
     }
@@ -1277,10 +1277,10 @@ function Fs(e, t, n, o) {
   let r = performance.now();
   Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Hi({
+  i && (W.value = { head: e, camera: i }), Ns(), Ki({
     frame: e.frame,
     seq: e.seq,
-    kind: Gi.indexOf(e.kind),
+    kind: Xi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1301,12 +1301,12 @@ function Ns() {
 function Xo(e) {
   Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Yi() {
+function Qi() {
   if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Ui(Ks);
+Wi(Ks);
 xe("camera", (e) => {
   Pt.set(e.number, e);
   for (let t of Pt.keys()) {
@@ -1319,11 +1319,11 @@ xe("line", () => {
 });
 
 // src/prefs.ts
-var Qi = "lampyris-";
+var Ji = "lampyris-";
 function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Qi + e);
+    let r = localStorage.getItem(Ji + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1331,7 +1331,7 @@ function ue(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Qi + e, r);
+      localStorage.setItem(Ji + e, r);
     } catch {
     }
   }), o;
@@ -1350,13 +1350,13 @@ function or(e) {
 }
 
 // src/gesture.ts
-var It = 0, ea = /* @__PURE__ */ new Set(), ta = (e) => {
-  ea.add(e);
+var It = 0, ta = /* @__PURE__ */ new Set(), na = (e) => {
+  ta.add(e);
 }, fn = /* @__PURE__ */ new Set(), Qn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function Jn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
 }
-var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var Zi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1375,7 +1375,7 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
     this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Ji(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Zi(t) } : {} })), this.state = "over";
   }
   cancel() {
     this.state === "held" && (this.waiting = null, Un(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
@@ -1391,7 +1391,7 @@ var Ji = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = ie(Jn);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ea.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Ji(this.label) })), !0);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ta.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Zi(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
@@ -1413,9 +1413,9 @@ function At(e) {
 }
 var $e = null;
 function rr(e, t, n) {
-  $e && $e.key !== e && Zi(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(Zi, 700);
+  $e && $e.key !== e && ea(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(ea, 700);
 }
-function Zi() {
+function ea() {
   $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
 T(() => {
@@ -1428,14 +1428,14 @@ T(() => {
 // src/before.ts
 var pn = g(null), de = g(null), Bs = g(0.5);
 function zs() {
-  let e = W.peek(), t = Yi();
+  let e = W.peek(), t = Qi();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
 function ir() {
   de.peek() !== "wipe" && zs();
 }
-ta(ir);
-function na() {
+na(ir);
+function oa() {
   let e = pn.peek(), t = W.peek();
   if (!e || !t) se("Nothing has been changed yet.");
   else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1443,10 +1443,10 @@ function na() {
   return !1;
 }
 function dn(e) {
-  e ? de.peek() === null && na() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? de.peek() === null && oa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
 function Gs() {
-  de.value = de.peek() === "wipe" ? null : na() ? "wipe" : null;
+  de.value = de.peek() === "wipe" ? null : oa() ? "wipe" : null;
 }
 
 // src/select.ts
@@ -1468,7 +1468,7 @@ function ze(e, t, n = "only") {
 function Zn() {
   P.value = null;
 }
-function oa(e, t, n) {
+function ra(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
@@ -1480,7 +1480,7 @@ function Ys(e) {
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function ra(e, t) {
+function ia(e, t) {
   switch (e) {
     case "lamp":
       return M.get(t)?.name ?? `lamp ${t}`;
@@ -1495,9 +1495,9 @@ function ra(e, t) {
   }
 }
 function eo(e) {
-  return e.length === 1 ? ra("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? ia("lamp", e[0]) : `${e.length} lamps`;
 }
-function ia(e, t) {
+function aa(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
@@ -1515,7 +1515,7 @@ function ia(e, t) {
 var to = g(null);
 
 // src/navigate.ts
-var Qs = 1.6, he = g(null), sa = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
+var Qs = 1.6, he = g(null), la = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
@@ -1524,19 +1524,19 @@ function Q(e, t = null) {
 }
 var ne = () => he.peek();
 function Js() {
-  la(Ge, cr);
+  ua(Ge, cr);
 }
 function Zs() {
-  la(cr, Ge);
+  ua(cr, Ge);
 }
-function la(e, t) {
+function ua(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
   o && t.push(o), ur = performance.now(), he.value = n, Ht.value = null;
 }
 T(() => {
-  !he.value || U.value !== "open" || !sa.value || ar || (ar = !0, requestAnimationFrame(() => {
+  !he.value || U.value !== "open" || !la.value || ar || (ar = !0, requestAnimationFrame(() => {
     ar = !1;
     let t = he.peek();
     if (!t || mn && nn(mn, t)) return;
@@ -1547,7 +1547,7 @@ T(() => {
 T(() => {
   let e = W.value;
   e && ie(() => {
-    he.peek() && sa.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
+    he.peek() && la.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
   });
 });
 xe("hello", () => mn = null);
@@ -1568,17 +1568,17 @@ function ft(e = he.peek()) {
 var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
 function no(e, t) {
   let n = ne();
-  n && Q(Ei(n, Ve.peek(), e, t));
+  n && Q(Ti(n, Ve.peek(), e, t));
 }
 function oo(e, t, n) {
   let o = ne();
-  o && Q($i(o, Ve.peek(), e, t, n));
+  o && Q(Li(o, Ve.peek(), e, t, n));
 }
 function Ft(e, t, n) {
   let o = ne(), r = ft();
-  o && r && Q(Li(o, r, e, t, n));
+  o && r && Q(Vi(o, r, e, t, n));
 }
-function ua(e, t, n) {
+function ca(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
@@ -1586,10 +1586,10 @@ function ua(e, t, n) {
       r && Q(je(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q(Pi(o, Ve.peek(), e, t, n)) : (Q(Ti(o, Ve.peek(), e, t, 0)), el());
+    Jo.peek() === "fly" || n !== 0 ? Q($i(o, Ve.peek(), e, t, n)) : (Q(Pi(o, Ve.peek(), e, t, 0)), el());
   }
 }
-var Rt = !1, sr = !0, aa = null;
+var Rt = !1, sr = !0, sa = null;
 function el() {
   let e = ne();
   if (!e || Rt || !sr) return;
@@ -1599,8 +1599,8 @@ function el() {
     Rt = !1, sr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    aa = q(o.point, t);
-    let i = aa + Qs - q(r.eye, t);
+    sa = q(o.point, t);
+    let i = sa + Qs - q(r.eye, t);
     Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
   }, () => {
     Rt = !1, sr = !1;
@@ -1624,14 +1624,14 @@ function tl() {
 }
 function fr() {
   let e = ne(), t = tl();
-  e && t ? Q(Vi(e, t), "selection") : pr();
+  e && t ? Q(Ii(e, t), "selection") : pr();
 }
 function pr() {
   lr && Q(lr, "home");
 }
 function nl(e) {
   let [t, n] = _e.peek();
-  Q(Ai(e, Ot(), Ve.peek(), t / n), e);
+  Q(Ri(e, Ot(), Ve.peek(), t / n), e);
 }
 function ol() {
   for (let e = Ge.length - 1; e >= 0; e--)
@@ -1650,10 +1650,10 @@ function il(e) {
 }
 
 // src/tools.ts
-var dr = g("spot"), ca = () => {
+var dr = g("spot"), fa = () => {
 }, al = (e) => {
-  ca = e;
-}, fa = (e) => ca(e);
+  fa = e;
+}, pa = (e) => fa(e);
 function mr(e) {
   z.value = z.peek() === e ? null : e;
 }
@@ -1676,10 +1676,10 @@ var sl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ll = {
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = ll, pa = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
+}, vr = ll, da = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
 function br() {
   let e = at.peek().false_color;
-  e && (vr = e), At({ false_color: e ? null : pa(vr) });
+  e && (vr = e), At({ false_color: e ? null : da(vr) });
 }
 function so(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
@@ -1706,7 +1706,7 @@ var Nt = /* @__PURE__ */ new Map(), io = null;
 function pl(e) {
   Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
 }
-var dl = () => [...Nt.values()], da = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
+var dl = () => [...Nt.values()], ma = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
@@ -1725,24 +1725,24 @@ function l(e, t, n, o, r, i) {
 }
 
 // src/load.tsx
-var ha = g(null), ma = !1, wr = (e) => ha.value?.[e];
+var va = g(null), ha = !1, wr = (e) => va.value?.[e];
 function ee({ part: e }) {
   let t = wr(e);
   return t ? l(t, {}) : null;
 }
-function va() {
+function ga() {
   T(() => {
-    if (ma || !(W.value ?? P.value)) return;
-    ma = !0;
+    if (ha || !(W.value ?? P.value)) return;
+    ha = !0;
     let e = "./gizmo.js";
     setTimeout(() => {
-      import(e).then((t) => ha.value = t);
+      import(e).then((t) => va.value = t);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, ga = {
+var lo = 0.3048, ba = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1766,7 +1766,7 @@ function kr(e) {
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ba(e, t, n) {
+function ya(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
@@ -1779,8 +1779,8 @@ function ba(e, t, n) {
   }
   return i ? null : r;
 }
-function ya(e, t, n) {
-  let o = ga[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function _a(e, t, n) {
+  let o = ba[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1799,9 +1799,9 @@ function ya(e, t, n) {
     let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
     return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ba(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ya(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = ba(m, { ...ga.flux }, NaN);
+    let y = ya(m, { ...ba.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1858,7 +1858,7 @@ function gn(e) {
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = ya(t.value, e.quantity, e.flux);
+    let d = _a(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1935,7 +1935,7 @@ function qt({ id: e, label: t, title: n, children: o }) {
   ] });
 }
 function xr({ id: e, label: t }) {
-  let n = _r(e), o = da(e);
+  let n = _r(e), o = ma(e);
   return l(
     "button",
     {
@@ -1954,19 +1954,19 @@ function xr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var _a = {
+var wa = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function wa() {
+function ka() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
     l("h1", { title: o.file || Z.value?.file, children: [
       Z.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": _a[o.state], title: `${_a[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": wa[o.state], title: `${wa[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -2038,12 +2038,12 @@ function co(e) {
 
 // src/lights.ts
 var Ye = g(null), Cr = () => {
-}, xa = () => {
+}, Sa = () => {
 };
 function fo(e, t, n) {
-  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, ka(n);
+  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, xa(n);
   let o = !0, r = 0;
-  xa = T(() => {
+  Sa = T(() => {
     for (let [, i] of M.all()) st(i);
     if (o) {
       o = !1;
@@ -2051,11 +2051,11 @@ function fo(e, t, n) {
     }
     clearTimeout(r), r = window.setTimeout(() => {
       let i = ie(() => Ye.value);
-      i && ka(i.hit);
+      i && xa(i.hit);
     }, 250);
   });
 }
-function ka(e) {
+function xa(e) {
   Cr(), Cr = Se("light", { point: e.point, normal: e.normal }, (t) => {
     let n = Ye.peek();
     n && (Ye.value = {
@@ -2067,11 +2067,11 @@ function ka(e) {
   });
 }
 function po() {
-  Cr(), xa(), Ye.value = null;
+  Cr(), Sa(), Ye.value = null;
 }
 
 // src/keys.ts
-var $a = g("W A S D"), Er = {
+var La = g("W A S D"), Er = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
@@ -2079,7 +2079,7 @@ var $a = g("W A S D"), Er = {
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
 }, bl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
-function La(e) {
+function Va(e) {
   let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
   if (Pr = e, !jt.size) {
     Tr = !1;
@@ -2091,13 +2091,13 @@ function La(e) {
     n += p, o += c, r += u;
   }
   let i = Math.max(1, He(...Ot()) / 12), a = bl * t * ho * Math.min(i, 6);
-  (n || o || r) && ua(n * a, o * a, r * a), requestAnimationFrame(La);
+  (n || o || r) && ca(n * a, o * a, r * a), requestAnimationFrame(Va);
 }
 function yn(e) {
-  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(La));
+  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(Va));
 }
 var yl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Sa() {
+function Ma() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
@@ -2121,7 +2121,7 @@ var _l = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ma = {
+}, Ca = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2129,7 +2129,7 @@ var _l = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ca = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ea = {
+}, Ea = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ta = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2145,11 +2145,11 @@ function wl(e) {
 function kl() {
   z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Ta(e) {
+function Pa(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
-function Pa(e) {
+function $a(e) {
   let t = ne(), n = ft();
   !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
@@ -2162,7 +2162,7 @@ function xl(e) {
     return;
   }
   if (t && !e.altKey) {
-    if (Sa() && Ta(e)) return e.preventDefault();
+    if (Ma() && Pa(e)) return e.preventDefault();
     let i = wl(e);
     i && De(e, i);
     return;
@@ -2180,14 +2180,14 @@ function xl(e) {
     }
     if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
   }
-  let n = Sa();
-  if (n && Ta(e)) return e.preventDefault();
+  let n = Ma();
+  if (n && Pa(e)) return e.preventDefault();
   if (n && e.code in Er)
     return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Pa(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Pa(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return $a(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return $a(1 / 0.85);
   if (!er.peek()) return;
-  if (e.shiftKey && Ea[e.code]) return De(e, Ea[e.code]);
+  if (e.shiftKey && Ta[e.code]) return De(e, Ta[e.code]);
   if (mo && /^\d$/.test(e.key)) {
     e.preventDefault(), mo = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
@@ -2199,12 +2199,12 @@ function xl(e) {
     e.preventDefault(), gr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ca[e.code]) return De(e, Ca[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Ea[e.code]) return De(e, Ea[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
   if (o === "p" && e.shiftKey) return Sl();
-  let r = e.shiftKey && Ma[o] ? Ma[o] : _l[o];
+  let r = e.shiftKey && Ca[o] ? Ca[o] : _l[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
 function Sl() {
@@ -2217,11 +2217,11 @@ function De(e, t) {
 function Ml(e) {
   jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
-function Va() {
+function Ia() {
   addEventListener("keydown", xl), addEventListener("keyup", Ml), addEventListener("blur", () => {
     jt.clear(), co(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    $a.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    La.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
@@ -2239,7 +2239,7 @@ function Vr(e) {
   let t = le.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Ia(e, t, n) {
+function Aa(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2259,7 +2259,7 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Ia(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Aa(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
@@ -2271,7 +2271,7 @@ var _n = class {
 };
 function go(e, t) {
   let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ia(e, t, n));
+  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Aa(e, t, n));
 }
 function Ir(e, t) {
   if (!e.length) return;
@@ -2294,9 +2294,9 @@ function Rr(e, t) {
 var Tl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Pl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, $l = (e) => Math.round(255 * Tl(Math.max(0, Math.min(1, e))));
 function Or(e) {
   let t = Math.max(...e, 1e-6);
-  return Aa(e.map((n) => n / t));
+  return Ra(e.map((n) => n / t));
 }
-function Aa(e) {
+function Ra(e) {
   return `#${e.map((t) => $l(t).toString(16).padStart(2, "0")).join("")}`;
 }
 function Ll(e) {
@@ -2306,8 +2306,8 @@ function Ll(e) {
 var Vl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ra = -1e9;
-addEventListener("scroll", () => Ra = performance.now(), { capture: !0, passive: !0 });
+var Oa = -1e9;
+addEventListener("scroll", () => Oa = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
 function Hr(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
@@ -2329,7 +2329,7 @@ function Hr(e) {
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
     u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Ra < 400 || c.ctrlKey) return;
+    if (performance.now() - Oa < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2366,12 +2366,12 @@ function Hr(e) {
 }
 
 // src/faderrow.tsx
-function Oa(e) {
+function Ha(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
 var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ha({ row: e, index: t, count: n }) {
+function Ka({ row: e, index: t, count: n }) {
   let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
   let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
@@ -2396,7 +2396,7 @@ function Ha({ row: e, index: t, count: n }) {
       children: [
         l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ka(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Da(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
           l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
@@ -2408,7 +2408,7 @@ function Ha({ row: e, index: t, count: n }) {
           ] }),
           i && l("span", { class: "tint", children: [
             l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
-            Oa(i)
+            Ha(i)
           ] }),
           l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(G, { name: "solo" }) })
         ] }),
@@ -2452,7 +2452,7 @@ function Ha({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Da = 4;
+var Fa = 4;
 function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = te(null), s = nt(0), p = nt(600);
   Ce(() => {
@@ -2464,12 +2464,12 @@ function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Da), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Da);
+  let c = Math.max(0, Math.floor(s.value / t) - Fa), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Fa);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() => {
+var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), qa = N(() => {
   let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (yo.value !== "group" && Lt.value === "sheet") {
     let s = yo.value, p = [...r];
@@ -2489,16 +2489,16 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), Na = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Fa = !1;
+}), Na = !1;
 D.ids.subscribe((e) => {
-  Fa || !e.length || (Fa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  Na || !e.length || (Na = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Ka(e) {
+function Da(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
 function Dr(e, t, n) {
-  e.shiftKey ? oa(t, Na.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+  e.shiftKey ? ra(t, qa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
 function Il(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
@@ -2508,8 +2508,8 @@ function Il(e) {
   o[o.indexOf(n) + t]?.focus();
 }
 var Al = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function qa() {
-  let e = Na.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
+function ja() {
+  let e = qa.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
   return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Il, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
@@ -2559,7 +2559,7 @@ function qa() {
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? wr("SheetRow") : Ha;
+          let a = e[i], s = r ? wr("SheetRow") : Ka;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2574,10 +2574,10 @@ function qa() {
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), ja = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), Ua = g(!1), wn = 0;
 T(() => {
   let e = Te.value?.fps ?? 0;
-  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, ja.value = wn > 0 && performance.now() - wn > 2e3;
+  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, Ua.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
   switch (U.value) {
@@ -2588,7 +2588,7 @@ var Wt = N(() => {
     default:
       return U.value;
   }
-  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : qi.value ? "all-off" : ja.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
+  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : ji.value ? "all-off" : Ua.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
 });
 xe("event", (e) => {
   switch (e.what) {
@@ -2621,7 +2621,7 @@ function wo(e, t, n) {
   if (!o) return n(null);
   Se("point", o, (r) => n(r.hit ? r : null));
 }
-function Ua(e) {
+function Wa(e) {
   if (!e) return "";
   let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
@@ -2632,7 +2632,7 @@ function Ua(e) {
 }
 
 // src/status.tsx
-var Wa = N(() => {
+var Ba = N(() => {
   W.value;
   let e = [];
   for (let t of ae.sent.slice(-24)) {
@@ -2659,7 +2659,7 @@ function Rl() {
       return `finished${t}`;
   }
 }
-function Ba() {
+function za() {
   let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
@@ -2671,8 +2671,8 @@ function Ba() {
       " batches"
     ] }),
     l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    Wa.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Wa.value),
+    Ba.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(Ba.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2685,7 +2685,7 @@ function Ba() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Ua(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Wa(_o.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2697,11 +2697,11 @@ function Ba() {
 }
 
 // src/pointer.ts
-var Ol = 4, za = 35e-4, Hl = 0.15;
+var Ol = 4, Ga = 35e-4, Hl = 0.15;
 function Kl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Ga(e, t) {
+function Xa(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2763,7 +2763,7 @@ function Ga(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * za, R * A * za);
+          no(R * V * Ga, R * A * Ga);
           break;
         }
         case "orbit":
@@ -2808,13 +2808,13 @@ function Ga(e, t) {
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (zr) => {
-        vt.point = zr.point, r = m(zr.point);
+      d(h, v, (Gr) => {
+        vt.point = Gr.point, r = m(Gr.point);
       });
     }
     x.time = R;
-    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, Br = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, Br, $, Hl, L)), L && He(V.eye, Br) < 0.5 && (x = null);
+    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, zr = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Dn(V, zr, $, Hl, L)), L && He(V.eye, zr) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
@@ -2872,14 +2872,14 @@ function Wr() {
   let e = W.value;
   return _e.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
 }
-function Xa() {
+function Ya() {
   let e = ie(Wr);
   return e ? M.all().flatMap(([t, n]) => {
-    let o = Ya(n), r = o && e.at(o);
+    let o = Qa(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Ya = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+var Qa = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 function jr(e, t) {
   let n = _t(t);
   return Fl.map(([o, r]) => e.line(n[o], n[r])).join("");
@@ -2915,7 +2915,7 @@ var Nl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Qa(e) {
+function Ja(e) {
   let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
   }), s = new Sn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
@@ -2923,7 +2923,7 @@ function Qa(e) {
     let u = Wr();
     if (!u) return;
     let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Nl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ya(_), fe = _.place?.position;
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Qa(_), fe = _.place?.position;
       if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Me)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
@@ -2974,7 +2974,7 @@ function ql(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Ja = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+var Za = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
 function jl() {
   let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Le("All lamps on", {
@@ -3006,11 +3006,11 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Ja() }),
+          l("code", { children: Za() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(Ja());
+          yr(Za());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3085,7 +3085,7 @@ function Ul() {
       return null;
   }
 }
-function Za() {
+function es() {
   let e = ke.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
     Ul(),
@@ -3112,20 +3112,20 @@ function Za() {
 }
 
 // src/view.tsx
-var ts = g(null);
+var ns = g(null);
 function Wl(e, t) {
-  let n = Xa();
+  let n = Ya();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
 var Bl = {
   click(e, t, n) {
-    let o = es(e, t);
+    let o = ts(e, t);
     if (z.peek() === null && o) return ze(o.kind, o.id, n);
     wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return fa(r);
-      ia(r, n), P.peek() && (Ie.value = "inspector");
+      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return pa(r);
+      aa(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3137,7 +3137,7 @@ var Bl = {
     fr();
   },
   hover(e, t) {
-    let n = es(e, t);
+    let n = ts(e, t);
     n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
       _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
@@ -3146,12 +3146,12 @@ var Bl = {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ts.value = n ? null : { from: e, to: t }, !n) return;
+    if (ns.value = n ? null : { from: e, to: t }, !n) return;
     let o = Wl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function es(e, t) {
+function ts(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3169,15 +3169,15 @@ var zl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function ns() {
+function os() {
   let e = te(null), t = te(null), n = te(null);
   return Ce(() => {
     Xo(t.current);
-    let o = Qa(n.current), r = Ga(e.current, Bl);
+    let o = Ja(n.current), r = Xa(e.current, Bl);
     return () => {
       Xo(null), o(), r();
     };
-  }, []), Ci(() => {
+  }, []), Ei(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3203,7 +3203,7 @@ function ns() {
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
     z.value && l("p", { class: "hint", role: "status", children: zl[z.value] }),
-    l(Za, {}),
+    l(es, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3212,7 +3212,7 @@ function ns() {
   ] });
 }
 function Gl() {
-  let e = ts.value;
+  let e = ns.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3229,18 +3229,18 @@ function Gl() {
 // src/main.tsx
 function Xl() {
   return l(X, { children: [
-    l(wa, {}),
-    l(qa, {}),
-    l(ns, {}),
+    l(ka, {}),
+    l(ja, {}),
+    l(os, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(Ba, {}),
+    l(za, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-ai(l(Xl, {}), ht);
+si(l(Xl, {}), ht);
 T(() => {
   ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
 });
@@ -3253,14 +3253,14 @@ T(() => {
 T(() => {
   Z.value && (document.title = `${Z.value.name} – Lampyris`);
 });
-var os = 0;
+var Br = 0;
 T(() => {
   let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(os), os = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(Br), Br = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), Br && 60));
 });
-va();
-Va();
-zi();
+ga();
+Ia();
+Gi();
 export {
   _n as Fade,
   gn as Field,
@@ -3277,7 +3277,7 @@ export {
   dr as adding,
   dl as allActions,
   Se as ask,
-  pa as asked,
+  da as asked,
   Js as back,
   pn as before,
   he as camera,
@@ -3285,11 +3285,11 @@ export {
   le as chosenLamps,
   Mr as clearSolo,
   po as closeWhat,
-  Oa as colorText,
+  Ha as colorText,
   ao as command,
   dn as compareHeld,
   de as comparing,
-  Ii as compass,
+  Ai as compass,
   N as computed,
   yr as copyText,
   Kr as cost,
@@ -3326,7 +3326,7 @@ export {
   Xn as hands,
   xe as hear,
   ne as here,
-  Aa as hex,
+  Ra as hex,
   co as highlight,
   rt as history,
   Qo as houseLights,
@@ -3347,7 +3347,7 @@ export {
   Ct as meters,
   qe as middle,
   Vl as mired,
-  ra as nameOf,
+  ia as nameOf,
   J as normal,
   al as onTool,
   st as output,
@@ -3406,7 +3406,7 @@ export {
   Ht as viewName,
   _e as viewSize,
   St as views,
-  $a as walkNames,
+  La as walkNames,
   Jo as walking,
   gr as wantLevel,
   Ye as what,

@@ -37,7 +37,7 @@ export function startProgram(scene, ...more) {
     });
     link.catch(() => {});
     const gone = new Promise((done) => child.on('exit', done));
-    return { link, end: (signal = 'SIGTERM') => (child.kill(signal), gone) };
+    return { link, pid: child.pid, end: (signal = 'SIGTERM') => (child.kill(signal), gone) };
 }
 
 /** A page that must not complain: errors of the console and of the policy are gathered. */

@@ -28,7 +28,7 @@ export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark
         await program.end();
         await remove();
     };
-    return { page, complaints, file, person: new Person(page), stand };
+    return { page, complaints, file, person: new Person(page), pid: program.pid, stand };
 }
 
 /** Acts as people do, and counts. */
