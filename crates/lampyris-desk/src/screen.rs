@@ -97,6 +97,9 @@ pub(crate) struct Frame {
 /// How long hands must rest until frames are made well again.
 const REST: Duration = Duration::from_millis(200);
 
+/// Pixels of a picture that takes longer to be made, sent and drawn than a hand likes to wait: while it moves, half the edges do.
+const LARGE: u32 = 1 << 20;
+
 /// Frames that can be asked about.
 const ASKED: usize = 64;
 
@@ -186,22 +189,27 @@ impl Screen {
                 continue;
             };
             let kind = if handled { Kind::Moving } else { kind };
+            let coarse = kind == Kind::Moving && show.legend.is_none() && is_large(light.size);
+            let size = if coarse { half(light.size) } else { light.size };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
             wanted.number += 1;
             let number = wanted.number;
-            wanted.frames.push_back((number, Frame { look, size: light.size }));
+            wanted.frames.push_back((number, Frame { look, size }));
             if wanted.frames.len() > ASKED {
                 wanted.frames.pop_front();
             }
             drop(wanted);
             let begun = Instant::now();
-            let radiance = still.mix(&colors);
+            let mut radiance = still.mix(&colors);
             if show.ev.is_none() {
                 let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);
                 self.wanted().show.ev = Some(ev);
                 metered(ev);
+            }
+            if coarse {
+                radiance = halved(&radiance, light.size);
             }
             let painted = show.legend.as_ref().and_then(|legend| {
                 legend.paint(&radiance, light.albedos.as_ref().map(|own| own.as_slice()), light.size)
@@ -209,7 +217,7 @@ impl Screen {
             let false_color = painted.is_some();
             let picture = match painted {
                 Some(painted) => painted.png().ok(),
-                None => encode(radiance, light.size, &show, kind),
+                None => encode(radiance, size, &show, kind),
             };
             let Some(picture) = picture else { continue };
             let lossless = kind == Kind::Final || false_color;
@@ -217,7 +225,7 @@ impl Screen {
                 number,
                 seq,
                 camera: light.camera.number,
-                size: light.size,
+                size,
                 kind,
                 lossless,
                 false_color,
@@ -245,6 +253,26 @@ impl Screen {
     fn wanted(&self) -> MutexGuard<'_, Wanted> {
         self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+fn is_large([width, height]: [u32; 2]) -> bool {
+    width.saturating_mul(height) > LARGE
+}
+
+fn half(size: [u32; 2]) -> [u32; 2] {
+    size.map(|edge| edge.div_ceil(2))
+}
+
+/// A picture of half the edges: each pixel is the mean of those that were in its place.
+fn halved(radiance: &[Rgb], size: [u32; 2]) -> Vec<Rgb> {
+    let width = size[0] as usize;
+    let mean = |rows: &[Rgb], x: usize| {
+        let block = rows.chunks(width).flat_map(|row| &row[x..width.min(x + 2)]);
+        let (sum, count) = block.fold((Rgb::BLACK, 0.0), |(sum, count), c| (sum + *c, count + 1.0));
+        sum * (1.0 / count)
+    };
+    let pairs = radiance.chunks(2 * width.max(1));
+    pairs.flat_map(|rows| (0..width).step_by(2).map(move |x| mean(rows, x))).collect()
 }
 
 /// JPEG while it is not final, then PNG.
@@ -275,4 +303,25 @@ fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: 
     encoder.set_sampling_factor(sampling);
     encoder.encode(pixels, width as u16, height as u16, ColorType::Rgb).ok()?;
     Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of any size, the mean of a half is that of the whole where blocks are whole, and a block at the rim that of its rest.
+    #[test]
+    fn half_a_picture_is_as_bright_as_all_of_it() {
+        for size in [[1, 1], [2, 2], [5, 3], [6, 4], [7, 8]] {
+            let at = |x: u32, y: u32| Rgb::new(x as f32, y as f32, 1.0);
+            let all: Vec<Rgb> = (0..size[0] * size[1]).map(|k| at(k % size[0], k / size[0])).collect();
+            let (own, [width, height]) = (halved(&all, size), half(size));
+            assert_eq!(own.len(), (width * height) as usize);
+            for (k, mean) in (0..).zip(own) {
+                // Of 2k and 2k + 1, if both are there.
+                let middle = |k: u32, edge: u32| (2 * k + (2 * k + 1).min(edge - 1)) as f32 / 2.0;
+                assert_eq!(mean, Rgb::new(middle(k % width, size[0]), middle(k / width, size[1]), 1.0));
+            }
+        }
+    }
 }

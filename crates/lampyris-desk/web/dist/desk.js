@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var E, Qr, Mo, Fe, xo, Tn, Jr, Cn, Zr, Co, So, ss, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], ls = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
+var E, Jr, Mo, Fe, xo, Tn, Zr, Cn, ei, Co, So, ls, zt = /* @__PURE__ */ Symbol.for("pv"), Pn = {}, $n = [], us = /^m(i|n|o|s|text|space)$/, Eo = Array.isArray, To = $n.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function ei(e, t, n) {
+function ti(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
   return s > 2 && (a.children = s > 3 ? To.call(arguments, 2) : n), Bt(e, a, o, r, null);
 }
 function Bt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Qr, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: zt, __v: r || ++Jr, __i: -1, __u: 0 };
   return !r && E.vnode && E.vnode(i), i;
 }
 function X(e) {
@@ -23,33 +23,33 @@ function Ne(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : Ne(e);
 }
-function us(e) {
+function cs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, ai(r, t, i), n.__ = n.__e = null, t.__e != o && ti(t));
+  a && ((t = et({ constructor: zt }, n)).__v = n.__v + 1, E.vnode && E.vnode(t), Po(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || Ne(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, si(r, t, i), n.__ = n.__e = null, t.__e != o && ni(t));
 }
-function ti(e) {
+function ni(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), ti(e);
+  }), ni(e);
 }
-function Xr(e) {
-  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(ni);
+function Yr(e) {
+  (8 & e.__g || (e.__g |= 8, Fe.push(e), Tn++)) && xo == E.debounceRendering || ((xo = E.debounceRendering) || queueMicrotask)(oi);
 }
-function ni() {
+function oi() {
   try {
-    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Jr), e = Fe.shift(), t = Fe.length, 8 & e.__g && us(e);
+    for (var e, t = 1; Fe.length; ) Fe.length > t && Fe.sort(Zr), e = Fe.shift(), t = Fe.length, 8 & e.__g && cs(e);
   } finally {
-    (Tn = Fe.length) && (xo || queueMicrotask)(ni);
+    (Tn = Fe.length) && (xo || queueMicrotask)(oi);
   }
 }
-function oi(e, t, n, o, r, i, a, s, p, c, u) {
+function ri(e, t, n, o, r, i, a, s, p, c, u) {
   var d, m, f, b, y, w, x = o.__k || $n, k = t.length;
-  for (p = cs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ri(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = fs(n, t, x, p, k), d = 0; d < k; d++) (f = n.__k[d]) != null && (m = ~f.__i && x[f.__i] || Pn, f.__i = d, w = Po(e, f, m, r, i, a, s, p, c, u), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && $o(m.ref, null, f, m), f.ref && u.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ii(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && w !== void 0 ? p = w : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function cs(e, t, n, o, r) {
+function fs(e, t, n, o, r) {
   var i, a, s, p, c, u, d, m, f, b = n.length, y = b, w = 0, x = 0, k = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = fs(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = k[i] = Bt(null, a) : Eo(a) ? a = k[i] = Bt(X, { children: a }) : a.constructor === zt && a.__b ? a = k[i] = Bt(a.type, a.props, a.key, a.ref, a.__v) : k[i] = a, p = i + w, a.__ = e, a.__b = e.__b + 1, s = null, ~(c = a.__i = ps(a, n, p, y)) && (y--, (s = n[c]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, c == p - 1 ? w-- : c == p + 1 ? w++ : c != p && (c > p ? w-- : w++, x = 1)) : (~c || (r > b ? w-- : r < b && w++), typeof a.type != "function" && (a.__u |= 4))) : k[i] = null;
   if (x) {
     for (u = [], d = [], i = 0; i < r; i++) if ((a = k[i]) && 16 & a.__u) {
       for (w = 0, m = u.length; w < m; ) u[f = w + m >> 1] < a.__i ? w = f + 1 : m = f;
@@ -60,18 +60,18 @@ function cs(e, t, n, o, r) {
   if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = Ne(s)), Lo(s, s));
   return o;
 }
-function ri(e, t, n, o) {
+function ii(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ri(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ii(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = Ne(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function fs(e, t, n, o) {
+function ps(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function fs(e, t, n, o) {
   }
   return -1;
 }
-function Yr(e, t, n) {
+function Qr(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function Mn(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Yr(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || Yr(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || Qr(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || Qr(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ps(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(Zr, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = So[t] || (So[t] = ds(t)), (e.__a || (e.__a = {}))[t] = Co, i = t != (t = t.replace(ei, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Mn(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ps(e) {
+function ds(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -118,7 +118,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
   e: if (typeof L == "function") {
     m = a.length;
     try {
-      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = ms), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (x = t.props, k = (u = L.prototype) && u.render, _ = (u = L.contextType) && o[u.__c], C = u ? _ ? _.props.value : u.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (k ? t.__c = f = new L(x, C) : (t.__c = f = new gt(x, C), f.constructor = L, f.render = hs), _ && _.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), k && (f.__s || (f.__s = f.state), L.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, L.getDerivedStateFromProps(x, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (x !== b && k && !L.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(x, C), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(x, f.__s, C) === !1) {
           t.__v != n.__v && (f.props = x, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function(V) {
             V && (V.__ = t);
@@ -135,7 +135,7 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
       while (8 & f.__g && ++Je < 25);
       k && ($n.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), k && n.__c && f.getSnapshotBeforeUpdate && (w = f.getSnapshotBeforeUpdate(b, y)), fe = u && u.type === X && u.key == null ? u.props.children : u, x.__P && (u = s, r = (e = x.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function(V) {
         V && Lo(V, V);
-      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = oi(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), s = n.__k ? Ne(n, 0) : null), s = ri(e, Eo(fe) ? fe : [fe], t, n, o, r, i, a, s, p, c), x.__P && (t.__e = null, s = u), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch (V) {
       if (a.length = m, t.__v = null, p || i) if (V && V.then) {
         if (t.__u |= 128 | p, i) {
@@ -154,9 +154,9 @@ function Po(e, t, n, o, r, i, a, s, p, c) {
         (u = En(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = u) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), V && V.then || ii(t), E.__e(V, t, n);
+      t.__k || (t.__k = n.__k || []), V && V.then || ai(t), E.__e(V, t, n);
     }
-  } else s = t.__e = ds(n.__e, t, n, o, r, i, a, p, c, e);
+  } else s = t.__e = ms(n.__e, t, n, o, r, i, a, p, c, e);
   return (u = E.diffed) && u(t), s;
 }
 function En(e, t) {
@@ -168,10 +168,10 @@ function En(e, t) {
     t && t.push(e);
   }
 }
-function ii(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ii));
+function ai(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(ai));
 }
-function ai(e, t, n) {
+function si(e, t, n) {
   for (var o = 0; o < n.length; ) $o(n[o++], n[o++], n[o++]);
   E.__c && E.__c(t, e), e.some(function(r) {
     try {
@@ -183,7 +183,7 @@ function ai(e, t, n) {
     }
   });
 }
-function ds(e, t, n, o, r, i, a, s, p, c) {
+function ms(e, t, n, o, r, i, a, s, p, c) {
   var u, d, m, f, b, y, w, x, k = n.props || Pn, _ = t.props, C = t.type;
   if (C == "svg" ? r = "http://www.w3.org/2000/svg" : C == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (u = 0; u < i.length; u++) if ((b = i[u]) && (C ? b.localName == C : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function ds(e, t, n, o, r, i, a, s, p, c) {
     if (c = C == "template" && e.content || e, i = C == "textarea" && _.defaultValue != null ? null : i && To.call(c.childNodes), !s && i) for (k = {}, u = 0; u < e.attributes.length; u++) k[(b = e.attributes[u]).name] = b.value;
     for (u in k) b = k[u], u == "dangerouslySetInnerHTML" ? m = b : u == "children" || u in _ || u == "value" && "defaultValue" in _ || u == "checked" && "defaultChecked" in _ || Mn(e, u, null, b, r);
     for (u in _) b = _[u], u == "children" ? f = b : u == "dangerouslySetInnerHTML" ? d = b : u == "value" ? y = b : u == "checked" ? w = b : s && typeof b != "function" || k[u] === b || Mn(e, u, b, k[u], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && ls.test(C)) && (r = "http://www.w3.org/1999/xhtml"), oi(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (C == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && us.test(C)) && (r = "http://www.w3.org/1999/xhtml"), ri(c, Eo(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && Ne(n, 0), s, p), i && i.some(Ze)), s && C != "textarea" || (u = "value", C == "progress" && y == null ? e.removeAttribute(u) : y == null || y === e[u] && (C != "progress" || y) || Mn(e, u, y, k[u], r), u = "checked", w != null && w != e[u] && Mn(e, u, w, k[u], r));
   } else k === _ || s && e.data == _ || (e.data = _);
   return e;
 }
@@ -223,12 +223,12 @@ function Lo(e, t, n) {
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Lo(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = En(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ms(e, t, n) {
+function hs(e, t, n) {
   return this.constructor(e, n);
 }
-function si(e, t) {
+function li(e, t) {
   var n, o, r, i;
-  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), ai(r, t.__k, i), t.__k.props.children = null;
+  E.__ && E.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Bt(X, { children: [e] }), r = [], i = [], Po(t, t.__k, o || Pn, Pn, t.namespaceURI, o ? null : t.firstChild ? To.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), si(r, t.__k, i), t.__k.props.children = null;
 }
 E = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,19 +240,19 @@ E = { __e: function(e, t, n, o) {
     }
   }
   throw Tn = 0, e;
-} }, Qr = 0, Mo = function(e) {
+} }, Jr = 0, Mo = function(e) {
   return e != null && e.constructor === zt;
 }, gt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Xr(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), Yr(this)));
 }, gt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), Xr(this));
-}, gt.prototype.render = X, Fe = [], Tn = 0, Jr = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), Yr(this));
+}, gt.prototype.render = X, Fe = [], Tn = 0, Zr = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Cn = /* @__PURE__ */ Symbol(), Zr = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ss = 0;
+}, Cn = /* @__PURE__ */ Symbol(), ei = /(PointerCapture)$|Capture$/i, Co = 0, So = {}, ls = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var Xt, re, Vo, li, hs = Object.is, Io = 0, gi = [], Ao = [], j = E, ui = j.__b, ci = j.__r, fi = j.diffed, pi = j.__c, di = j.unmount, mi = j.__;
+var Xt, re, Vo, ui, vs = Object.is, Io = 0, bi = [], Ao = [], j = E, ci = j.__b, fi = j.__r, pi = j.diffed, di = j.__c, mi = j.unmount, hi = j.__;
 function Oo(e, t) {
   j.__h && j.__h(re, e, Io || t), Io = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
@@ -262,7 +262,7 @@ function Ce(e, t) {
   var n = Oo(Xt++, 3);
   !j.__s && Ho(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function vs(e, t) {
+function gs(e, t) {
   var n = Oo(Xt++, 4);
   !j.__s && Ho(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
@@ -275,7 +275,7 @@ function Ln(e, t) {
   var n = Oo(Xt++, 7);
   return Ho(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function gs() {
+function bs() {
   var e;
   do {
     for (; e = Ao.shift(); ) try {
@@ -283,7 +283,7 @@ function gs() {
     } catch (n) {
       j.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = gi.shift(); ) {
+    for (; e = bi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Ro), t.__h = [];
@@ -294,19 +294,19 @@ function gs() {
   } while (Ao.length);
 }
 j.__b = function(e) {
-  re = null, ui && ui(e);
+  re = null, ci && ci(e);
 }, j.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), mi && mi(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), hi && hi(e, t);
 }, j.__r = function(e) {
-  ci && ci(e), Xt = 0;
+  fi && fi(e), Xt = 0;
   var t = (re = e.__c).__H;
   t && (Vo == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Ro), Xt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Vo = re;
 }, j.diffed = function(e) {
-  fi && fi(e);
+  pi && pi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && vi(gi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && gi(bi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Vo = re = null;
 }, j.__c = function(e, t) {
@@ -320,9 +320,9 @@ j.__b = function(e) {
         throw o;
       }];
     }
-  }), pi && pi(e, t);
+  }), di && di(e, t);
 }, j.unmount = function(e) {
-  di && di(e);
+  mi && mi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ j.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, vi(Ao.push(r));
+        r.__P = n, gi(Ao.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && j.__e(t, o.__v));
 };
-var hi = typeof requestAnimationFrame == "function";
-function bs(e) {
+var vi = typeof requestAnimationFrame == "function";
+function ys(e) {
   var t, n = function() {
-    clearTimeout(o), hi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), vi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  hi && (t = requestAnimationFrame(n));
+  vi && (t = requestAnimationFrame(n));
 }
-function vi(e) {
-  e != 1 && li == j.requestAnimationFrame || ((li = j.requestAnimationFrame) || bs)(gs);
+function gi(e) {
+  e != 1 && ui == j.requestAnimationFrame || ((ui = j.requestAnimationFrame) || ys)(bs);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -358,12 +358,12 @@ function Ro(e) {
 }
 function Ho(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !hs(n, e[o]);
+    return !vs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var ys = /* @__PURE__ */ Symbol.for("preact-signals");
+var _s = /* @__PURE__ */ Symbol.for("preact-signals");
 function Rn() {
   if (Re > 1)
     Re--;
@@ -380,7 +380,7 @@ function Rn() {
       var n = Qt;
       for (Qt = void 0, Vn++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && yi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && _i(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -393,7 +393,7 @@ function Rn() {
 }
 function On(e) {
   if (Re > 0) return e();
-  Ko = ++_s, Re++;
+  Ko = ++ws, Re++;
   try {
     return e();
   } finally {
@@ -410,8 +410,8 @@ function ie(e) {
     O = t, Yt = n;
   }
 }
-var Qt = void 0, Re = 0, Vn = 0, _s = 0, Ko = 0, In = void 0, An = 0;
-function bi(e) {
+var Qt = void 0, Re = 0, Vn = 0, ws = 0, Ko = 0, In = void 0, An = 0;
+function yi(e) {
   if (O !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== O)
@@ -423,7 +423,7 @@ function bi(e) {
 function Y(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Y.prototype.brand = ys;
+Y.prototype.brand = _s;
 Y.prototype.h = function() {
   return !0;
 };
@@ -469,7 +469,7 @@ Y.prototype.peek = function() {
   });
 };
 Object.defineProperty(Y.prototype, "value", { get: function() {
-  var e = bi(this);
+  var e = yi(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
@@ -487,11 +487,11 @@ Object.defineProperty(Y.prototype, "value", { get: function() {
 function g(e, t) {
   return new Y(e, t);
 }
-function yi(e) {
+function _i(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function _i(e) {
+function wi(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,7 +500,7 @@ function _i(e) {
     }
   }
 }
-function wi(e) {
+function ki(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -514,17 +514,17 @@ tt.prototype = new Y();
 tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === An)) return !0;
-  if (this.g = An, this.f |= 1, this.i > 0 && !yi(this))
+  if (this.g = An, this.f |= 1, this.i > 0 && !_i(this))
     return this.f &= -2, !0;
   var e = O;
   try {
-    _i(this), O = this;
+    wi(this), O = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return O = e, wi(this), this.f &= -2, !0;
+  return O = e, ki(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -547,14 +547,14 @@ tt.prototype.N = function() {
 };
 Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = bi(this);
+  var e = yi(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
   return new tt(e, t);
 }
-function ki(e) {
+function xi(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Re++;
@@ -571,11 +571,11 @@ function ki(e) {
 }
 function Do(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, ki(e);
+  e.x = void 0, e.s = void 0, xi(e);
 }
-function ws(e) {
+function ks(e) {
   if (O !== this) throw new Error("Out-of-order effect");
-  wi(this), O = e, this.f &= -2;
+  ki(this), O = e, this.f &= -2;
   try {
     8 & this.f && Do(this);
   } finally {
@@ -597,9 +597,9 @@ bt.prototype.c = function() {
 };
 bt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, ki(this), _i(this), Re++;
+  this.f |= 1, this.f &= -9, xi(this), wi(this), Re++;
   var e = O;
-  return O = this, ws.bind(this, e);
+  return O = this, ks.bind(this, e);
 };
 bt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Qt, Qt = this);
@@ -622,7 +622,7 @@ function T(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Fo, Zt, Hn, ks = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, xi = [], Si = [];
+var Fo, Zt, Hn, xs = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Si = [], Mi = [];
 T(function() {
   Fo = this.N;
 })();
@@ -637,7 +637,7 @@ function Jt(e) {
   }
   Hn = e && e.S();
 }
-function Mi(e) {
+function Ci(e) {
   var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Ln(function() {
@@ -651,7 +651,7 @@ function Mi(e) {
     }), u = N(function() {
       return !Array.isArray(c.value) && !Mo(c.value);
     }), d = T(function() {
-      if (this.N = Ci, u.value) {
+      if (this.N = Ei, u.value) {
         var f = c.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function Mi(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Mi.displayName = "ReactiveTextNode";
-Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: ei(X, null).constructor }, type: { configurable: !0, value: Mi }, props: { configurable: !0, get: function() {
+Ci.displayName = "ReactiveTextNode";
+Object.defineProperties(Y.prototype, { constructor: { configurable: !0, value: ti(X, null).constructor }, type: { configurable: !0, value: Ci }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -691,7 +691,7 @@ yt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        ks && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        xs && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Zt = o, Jt(n);
   }
@@ -712,18 +712,18 @@ yt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var c = i[p], u = o[p];
-        c === void 0 ? (c = xs(n, p, u, r), i[p] = c) : c.o(u, r);
+        c === void 0 ? (c = Ss(n, p, u, r), i[p] = c) : c.o(u, r);
       }
     }
   }
   e(t);
 });
-function xs(e, t, n, o) {
+function Ss(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: T(function() {
-    this.N = Ci;
+    this.N = Ei;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -777,38 +777,38 @@ function nt(e, t) {
     return g(e, t);
   }, []);
 }
-var Ss = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Ms = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Ms = function(e) {
+}, Cs = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Cs() {
-  On(function() {
-    for (var e; e = xi.shift(); ) Fo.call(e);
-  });
-}
 function Es() {
-  xi.push(this) === 1 && (E.requestAnimationFrame || Ss)(Cs);
-}
-function Ts() {
   On(function() {
     for (var e; e = Si.shift(); ) Fo.call(e);
   });
 }
-function Ci() {
-  Si.push(this) === 1 && (E.requestAnimationFrame || Ms)(Ts);
+function Ts() {
+  Si.push(this) === 1 && (E.requestAnimationFrame || Ms)(Es);
 }
-function Ei(e, t) {
+function Ps() {
+  On(function() {
+    for (var e; e = Mi.shift(); ) Fo.call(e);
+  });
+}
+function Ei() {
+  Mi.push(this) === 1 && (E.requestAnimationFrame || Cs)(Ps);
+}
+function Ti(e, t) {
   var n = te(e);
   n.current = e;
   var o = Zt;
   Ce(function() {
     return T(function() {
-      if (this.N = Es, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = Ts, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
@@ -818,7 +818,7 @@ var I = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], K = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), Ps = (e, t, n) => I(S(e, 1 - n), S(t, n));
+], Oe = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => Oe(K(e, t)), $s = (e, t, n) => I(S(e, 1 - n), S(t, n));
 function J(e, t = [0, 0, 1]) {
   let n = Oe(e);
   return n > 1e-12 ? S(e, 1 / n) : t;
@@ -838,7 +838,7 @@ function _t([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var qe = ([e, t]) => Ps(e, t, 0.5);
+var qe = ([e, t]) => $s(e, t, 0.5);
 
 // src/camera.ts
 var No = Math.PI / 180, Kn = 89 * No;
@@ -850,26 +850,26 @@ function tn(e, t) {
   let n = K(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function $s(e, t, n) {
+function Ls(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = I(S(e.side, o), S(e.up, r));
   return e.parallel ? { origin: I(e.eye, i), direction: e.forward } : { origin: e.eye, direction: J(I(e.forward, i)) };
 }
-function Ti(e, t, n, o) {
+function Pi(e, t, n, o) {
   let r = K(e.target, e.eye), i = Math.max(Oe(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(J(r), t)))), s = K(r, S(t, q(r, t))), p = J(Oe(s) > 1e-6 * i ? s : K(e.up, S(t, q(e.up, t))), ot(t)), c = Math.max(-Kn, Math.min(Kn, a + o)), u = en(p, t, n), d = I(S(u, Math.cos(c)), S(t, Math.sin(c)));
   return { ...e, up: t, target: I(e.eye, S(d, i)) };
 }
-function Pi(e, t, n, o, r) {
+function $i(e, t, n, o, r) {
   let i = K(e.target, e.eye), a = K(i, S(t, q(i, t))), s = J(Oe(a) > 1e-6 ? a : e.up, ot(t)), p = J(ge(s, t)), c = I(I(S(s, n), S(p, o)), S(t, r));
   return je(e, c);
 }
-function $i(e, t, n, o, r) {
+function Li(e, t, n, o, r) {
   let i = J(K(e.target, e.eye)), a = J(ge(i, e.up), ot(i));
   return je(e, I(I(S(i, n), S(a, o)), S(t, r)));
 }
 function je(e, t) {
   return { ...e, eye: I(e.eye, t), target: I(e.target, t) };
 }
-function Li(e, t, n, o, r) {
+function Vi(e, t, n, o, r) {
   let i = J(K(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-Kn, Math.min(Kn, a + r)), p = J(ge(i, t), J(ge(i, e.up), ot(i))), c = (u) => en(en(u, p, s - a), t, o);
   return {
     ...e,
@@ -878,7 +878,7 @@ function Li(e, t, n, o, r) {
     target: I(n, c(K(e.target, n)))
   };
 }
-function Vi(e, t, n, o, r) {
+function Ii(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
   return je(e, I(S(t.side, -n * i), S(t.up, o * i)));
 }
@@ -895,7 +895,7 @@ function Fn(e, t, n, o, r) {
   );
   return { ...je(e, s), height: i };
 }
-function Ii(e, t, n = 0.4) {
+function Ai(e, t, n = 0.4) {
   let o = qe(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = J(K(e.eye, e.target));
   if (e.height) {
     let s = q(K(e.eye, o), i);
@@ -904,13 +904,13 @@ function Ii(e, t, n = 0.4) {
   let a = Math.max(1.5 * r / Math.tan(e.fov * No * 0.5), n + r);
   return { ...e, eye: I(o, S(i, a)), target: o };
 }
-var Ls = ["plan", "ceiling", "north", "east", "south", "west"];
-function Ai(e) {
+var Vs = ["plan", "ceiling", "north", "east", "south", "west"];
+function Ri(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = J(ge(e, t));
   return { right: J(ge(n, e)), ahead: n };
 }
-function Ri(e, t, n, o) {
-  let { right: r, ahead: i } = Ai(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
+function Oi(e, t, n, o) {
+  let { right: r, ahead: i } = Ri(n), a = qe(t), s = (b) => Math.abs(q(K(t[1], t[0]), b)), c = {
     plan: { forward: S(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: S(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -933,13 +933,13 @@ var ae = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, Oi = 0;
+}, Hi = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => Oi = t.timeStamp, { capture: !0, passive: !0 });
-function Hi(e, t) {
-  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Oi }), ae.sent.length > 1024 && ae.sent.shift();
+  addEventListener(e, (t) => Hi = t.timeStamp, { capture: !0, passive: !0 });
+function Ki(e, t) {
+  ae.sent.push({ seq: e, what: t, at: performance.now(), input: Hi }), ae.sent.length > 1024 && ae.sent.shift();
 }
-function Ki(e) {
+function Di(e) {
   ae.frame = e.frame, ae.seqApplied = e.seq, ae.firstDrawn ||= e.drawn, ae.frames.push(e), ae.frames.length > 1024 && ae.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -1001,7 +1001,7 @@ var on = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Di(e) {
+function Fi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1040,7 +1040,7 @@ var Ee = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Di(a.shown.peek()) !== Di(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Fi(a.shown.peek()) !== Fi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new on(r)), n = !0);
     }
     n && this.number();
   }
@@ -1071,13 +1071,13 @@ var Ee = class {
   editor: F,
   status: Te
 };
-function Fi(e) {
+function Ni(e) {
   Nn.clear();
   for (let [t, n] of Object.entries(rn)) n.whole(e[t]);
   for (let [t, n] of Object.entries(qo)) t in e && (n.value = e[t]);
   kt(e.display) && jn.receive(e.display);
 }
-function Ni(e, t) {
+function qi(e, t) {
   for (let [n, o] of Object.entries(e))
     n in rn ? rn[n].patch(o) : n === "display" ? jn.receive(o) : n in qo && (qo[n].value = o);
   Et(t);
@@ -1085,7 +1085,7 @@ function Ni(e, t) {
 function Et(e) {
   for (let t of [...Nn]) t.release(e);
 }
-function qi(e, t) {
+function ji(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in rn && kt(o))
       for (let [r, i] of Object.entries(o)) {
@@ -1094,7 +1094,7 @@ function qi(e, t) {
       }
     else n === "display" && kt(o) && t(jn, o);
 }
-var jo = (e, t) => qi(e, (n, o) => n.keep(o, t)), Un = (e, t) => qi(e, (n, o) => n.settle(o, t));
+var jo = (e, t) => ji(e, (n, o) => n.keep(o, t)), Un = (e, t) => ji(e, (n, o) => n.settle(o, t));
 function st(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
@@ -1105,30 +1105,30 @@ function Uo(e) {
     return t + (o ? o.flux * st(o) : 0);
   }, 0);
 }
-var ji = N(() => {
+var Ui = N(() => {
   let e = M.all();
   return e.length > 0 && e.every(([, t]) => st(t) === 0);
 });
-function Vs(e, t) {
+function Is(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), Ui = () => null, Wi = (e) => {
-  Ui = e;
+var U = g("entering"), cn = g(0), pe = g("edit"), Wn = g(null), Ke = g(0), Wi = () => null, Bi = (e) => {
+  Wi = e;
 }, Bn = /* @__PURE__ */ new Map(), Ue = null, ln = 0, Wo = null, un = 0, Tt = "", zn = !1;
 function xe(e, t) {
   let n = Bn.get(e) ?? /* @__PURE__ */ new Set();
   return Bn.set(e, n.add(t)), () => n.delete(t);
 }
 function H(e) {
-  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Hi(ln, e.do), ln);
+  return !Ue || Ue.readyState !== WebSocket.OPEN || U.peek() !== "open" ? 0 : (ln += 1, Ue.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Ki(ln, e.do), ln);
 }
-var Is = 0, lt = /* @__PURE__ */ new Map();
+var As = 0, lt = /* @__PURE__ */ new Map();
 function Se(e, t, n, o = () => {
 }) {
-  let r = ++Is, i = xe("answer", (s) => {
+  let r = ++As, i = xe("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = H({ do: "ask", id: r, what: e, ...t });
   if (!a)
@@ -1142,7 +1142,7 @@ function Se(e, t, n, o = () => {
   }
   return i;
 }
-function As(e) {
+function Rs(e) {
   switch (e.is) {
     case "hello":
       if (un = 0, Wo !== null && e.build !== Wo) {
@@ -1152,10 +1152,10 @@ function As(e) {
       Wo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Wn.value = e.you === void 0 ? null : String(e.you), Ke.value = 0, lt.clear(), U.value = "open";
       break;
     case "state":
-      Fi(e.state ?? e);
+      Ni(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), Ni(e.patch ?? {}, Ke.value);
+      (e.by == null || String(e.by) === Wn.value) && Bo(e.seq), qi(e.patch ?? {}, Ke.value);
       break;
     case "status":
       Te.value = e;
@@ -1175,7 +1175,7 @@ function As(e) {
 function Bo(e) {
   typeof e == "number" && e > Ke.value && (Ke.value = e);
 }
-async function Bi() {
+async function zi() {
   if (!Tt) return "in";
   try {
     return (await fetch("/enter", {
@@ -1187,26 +1187,26 @@ async function Bi() {
     return "away";
   }
 }
-function zi() {
+function Gi() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
   Ue = t, Bn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
     if (t !== Ue) return;
     if (typeof o.data != "string") {
-      let i = Ui(o.data);
+      let i = Wi(o.data);
       i && F.value.you && Bo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), As(r);
+    r.is === "hello" && (n = !0, ln = 0), Rs(r);
   }, t.onclose = () => {
-    t === Ue && (Ue = null, U.value !== "renewed" && Rs(n));
+    t === Ue && (Ue = null, U.value !== "renewed" && Os(n));
   };
 }
-async function Rs(e) {
-  if (Et(1 / 0), !e && await Os()) {
-    let o = await Bi();
+async function Os(e) {
+  if (Et(1 / 0), !e && await Hs()) {
+    let o = await zi();
     if (o === "denied" || o === "in" && un > 4 && !Tt) {
       U.value = "denied";
       return;
@@ -1218,29 +1218,29 @@ async function Rs(e) {
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, zi();
+  cn.value = 0, Gi();
 }
-async function Os() {
+async function Hs() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function Gi() {
+async function Xi() {
   let e = location.hash.slice(1);
-  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await Bi() === "denied") {
+  if (e ? (Tt = e, sessionStorage.setItem("lampyris-key", Tt), window.history.replaceState(null, "", location.pathname + location.search)) : Tt = sessionStorage.getItem("lampyris-key") ?? "", ae.entered = performance.now(), e && await zi() === "denied") {
     U.value = "denied";
     return;
   }
-  zi();
+  Gi();
 }
 xe("hello", () => zn = !1);
 
 // src/frames.ts
-var W = g(null), $t = g(0), Xi = ["moving", "settled", "final"], Yi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
-function Hs(e) {
-  if (e.byteLength < Yi) return null;
+var W = g(null), $t = g(0), Yi = ["moving", "settled", "final"], Qi = 32, Pt = /* @__PURE__ */ new Map(), Pe = null, zo = null, Go = !1, ut = null;
+function Ks(e) {
+  if (e.byteLength < Qi) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function Hs(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: Xi[Math.min(t.getUint8(16), 2)],
+    kind: Yi[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1256,31 +1256,31 @@ function Hs(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ks(e) {
-  let t = Hs(e);
-  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Ds(), t.head) : null;
+function Ds(e) {
+  let t = Ks(e);
+  return t ? (ut && H({ do: "ack", frame: ut.head.frame }), ut = { ...t, bytes: e, received: performance.now() }, Go || Fs(), t.head) : null;
 }
-async function Ds() {
+async function Fs() {
   for (Go = !0; ut; ) {
     let { head: e, mime: t, bytes: n, received: o } = ut;
     ut = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, Yi)], { type: t }));
-      Fs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, Qi)], { type: t }));
+      Ns(e, r, n.byteLength, o);
     } catch {
     }
     H({ do: "ack", frame: e.frame });
   }
   Go = !1;
 }
-function Fs(e, t, n, o) {
+function Ns(e, t, n, o) {
   let r = performance.now();
   Pe && zo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), zo.drawImage(t, 0, 0)), t.close();
   let i = Pt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), Ns(), Ki({
+  i && (W.value = { head: e, camera: i }), qs(), Di({
     frame: e.frame,
     seq: e.seq,
-    kind: Xi.indexOf(e.kind),
+    kind: Yi.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1294,19 +1294,19 @@ function Fs(e, t, n, o) {
   });
 }
 var Gn = [];
-function Ns() {
+function qs() {
   let e = performance.now();
   Gn = Gn.filter((t) => e - t < 1e3), Gn.push(e), $t.value = Gn.length;
 }
 function Xo(e) {
   Pe = e, zo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function Qi() {
+function Ji() {
   if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Wi(Ks);
+Bi(Ds);
 xe("camera", (e) => {
   Pt.set(e.number, e);
   for (let t of Pt.keys()) {
@@ -1319,11 +1319,11 @@ xe("line", () => {
 });
 
 // src/prefs.ts
-var Ji = "lampyris-";
+var Zi = "lampyris-";
 function ue(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(Ji + e);
+    let r = localStorage.getItem(Zi + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1331,18 +1331,18 @@ function ue(e, t) {
   return T(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(Ji + e, r);
+      localStorage.setItem(Zi + e, r);
     } catch {
     }
   }), o;
 }
-var Yo = ue("theme", "dark"), Qo = ue("house-lights", 1), Xn = ue("hands", "default"), Jo = ue("walking", "walk"), Zo = ue("panels", !0), Lt = ue("listing", "faders"), Yn = ue("travel", "square"), Vt = ue("candles", "lx"), er = ue("single-keys", !0), tr = ue("lamp-marks", !0), qs = ue("maintenance", 1), We = ue("fine", !1), nr = ue("fade", 1), js = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", js);
+var Yo = ue("theme", "dark"), Qo = ue("house-lights", 1), Xn = ue("hands", "default"), Jo = ue("walking", "walk"), Zo = ue("panels", !0), Lt = ue("listing", "faders"), Yn = ue("travel", "square"), Vt = ue("candles", "lx"), er = ue("single-keys", !0), tr = ue("lamp-marks", !0), js = ue("maintenance", 1), We = ue("fine", !1), nr = ue("fade", 1), Us = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, ye = ue("look-only", Us);
 
 // src/say.ts
-var ct = g([]), Us = 0;
+var ct = g([]), Ws = 0;
 function se(e, t = "plain") {
   if (ct.peek().find((r) => r.text === e)) return;
-  let o = ++Us;
+  let o = ++Ws;
   ct.value = [...ct.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => or(o), t === "warn" ? 8e3 : 4e3);
 }
 function or(e) {
@@ -1350,13 +1350,13 @@ function or(e) {
 }
 
 // src/gesture.ts
-var It = 0, ta = /* @__PURE__ */ new Set(), na = (e) => {
-  ta.add(e);
+var It = 0, na = /* @__PURE__ */ new Set(), oa = (e) => {
+  na.add(e);
 }, fn = /* @__PURE__ */ new Set(), Qn = N(() => ye.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function Jn() {
   return U.value !== "open" ? "There is no connection to the program: nothing was changed." : Qn.value;
 }
-var Zi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var ea = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1375,7 +1375,7 @@ var Zi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
     this.state === "over" || !this.begin() || (this.flush(), this.last = H(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: Zi(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Un(this.touched, this.last), this.finish({ do: "end", ...t ? { label: ea(t) } : {} })), this.state = "over";
   }
   cancel() {
     this.state === "held" && (this.waiting = null, Un(this.touched, 0), this.finish({ do: "cancel" }), Et(0)), this.state = "over";
@@ -1391,7 +1391,7 @@ var Zi = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = ie(Jn);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && ta.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: Zi(this.label) })), !0);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", fn.add(this), It === 0 && na.forEach((n) => n()), It++ === 0 && (this.last = H({ do: "begin", label: ea(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = H({ do: "set", patch: this.waiting }), this.waiting = null);
@@ -1404,7 +1404,7 @@ function Le(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Ws(e, t) {
+function Bs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
@@ -1413,9 +1413,9 @@ function At(e) {
 }
 var $e = null;
 function rr(e, t, n) {
-  $e && $e.key !== e && ea(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(ea, 700);
+  $e && $e.key !== e && ta(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(ta, 700);
 }
-function ea() {
+function ta() {
   $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
 T(() => {
@@ -1426,16 +1426,16 @@ T(() => {
 });
 
 // src/before.ts
-var pn = g(null), de = g(null), Bs = g(0.5);
-function zs() {
-  let e = W.peek(), t = Qi();
+var pn = g(null), de = g(null), zs = g(0.5);
+function Gs() {
+  let e = W.peek(), t = Ji();
   e && t && (pn.value = { picture: t, camera: e.camera });
 }
 function ir() {
-  de.peek() !== "wipe" && zs();
+  de.peek() !== "wipe" && Gs();
 }
-na(ir);
-function oa() {
+oa(ir);
+function ra() {
   let e = pn.peek(), t = W.peek();
   if (!e || !t) se("Nothing has been changed yet.");
   else if (!nn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1443,14 +1443,14 @@ function oa() {
   return !1;
 }
 function dn(e) {
-  e ? de.peek() === null && oa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? de.peek() === null && ra() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function Gs() {
-  de.value = de.peek() === "wipe" ? null : oa() ? "wipe" : null;
+function Xs() {
+  de.value = de.peek() === "wipe" ? null : ra() ? "wipe" : null;
 }
 
 // src/select.ts
-var P = g(null), me = g(null), z = g(null), Xs = g("move"), le = N(() => {
+var P = g(null), me = g(null), z = g(null), Ys = g("move"), le = N(() => {
   let e = P.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => M.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
@@ -1468,19 +1468,19 @@ function ze(e, t, n = "only") {
 function Zn() {
   P.value = null;
 }
-function ra(e, t, n) {
+function ia(e, t, n) {
   let o = P.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), c = (o?.ids ?? []).filter((u) => !p.includes(u));
   P.value = { kind: e, ids: [...c, ...r < i ? p : p.reverse()] };
 }
-function Ys(e) {
+function Qs(e) {
   let t = P.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? M.ids.peek() : n === "thing" ? be.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function ia(e, t) {
+function aa(e, t) {
   switch (e) {
     case "lamp":
       return M.get(t)?.name ?? `lamp ${t}`;
@@ -1495,9 +1495,9 @@ function ia(e, t) {
   }
 }
 function eo(e) {
-  return e.length === 1 ? ia("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? aa("lamp", e[0]) : `${e.length} lamps`;
 }
-function aa(e, t) {
+function sa(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
@@ -1515,7 +1515,7 @@ function aa(e, t) {
 var to = g(null);
 
 // src/navigate.ts
-var Qs = 1.6, he = g(null), la = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
+var Js = 1.6, he = g(null), ua = N(() => pe.value === "edit" && F.value.you), Ve = N(() => Z.value?.up ?? [0, 0, 1]), _e = g([640, 480]), Ht = g(null), lr = null, mn = null, ar = !1, Ge = [], cr = [], ur = 0;
 function Q(e, t = null) {
   let n = he.peek();
   if (n && nn(n, e)) return;
@@ -1523,20 +1523,20 @@ function Q(e, t = null) {
   n && (o - ur > 1e3 || t) && (Ge.push(n), Ge.length > 100 && Ge.shift(), cr.length = 0), ur = o, he.value = e, Ht.value = t;
 }
 var ne = () => he.peek();
-function Js() {
-  ua(Ge, cr);
-}
 function Zs() {
-  ua(cr, Ge);
+  ca(Ge, cr);
 }
-function ua(e, t) {
+function el() {
+  ca(cr, Ge);
+}
+function ca(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
   o && t.push(o), ur = performance.now(), he.value = n, Ht.value = null;
 }
 T(() => {
-  !he.value || U.value !== "open" || !la.value || ar || (ar = !0, requestAnimationFrame(() => {
+  !he.value || U.value !== "open" || !ua.value || ar || (ar = !0, requestAnimationFrame(() => {
     ar = !1;
     let t = he.peek();
     if (!t || mn && nn(mn, t)) return;
@@ -1547,7 +1547,7 @@ T(() => {
 T(() => {
   let e = W.value;
   e && ie(() => {
-    he.peek() && la.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
+    he.peek() && ua.peek() || (mn = e.camera, he.value = e.camera, lr ??= e.camera);
   });
 });
 xe("hello", () => mn = null);
@@ -1568,17 +1568,17 @@ function ft(e = he.peek()) {
 var Ot = () => Z.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Dt = () => qe(Ot());
 function no(e, t) {
   let n = ne();
-  n && Q(Ti(n, Ve.peek(), e, t));
+  n && Q(Pi(n, Ve.peek(), e, t));
 }
 function oo(e, t, n) {
   let o = ne();
-  o && Q(Li(o, Ve.peek(), e, t, n));
+  o && Q(Vi(o, Ve.peek(), e, t, n));
 }
 function Ft(e, t, n) {
   let o = ne(), r = ft();
-  o && r && Q(Vi(o, r, e, t, n));
+  o && r && Q(Ii(o, r, e, t, n));
 }
-function ca(e, t, n) {
+function fa(e, t, n) {
   let o = ne();
   if (o) {
     if (o.height) {
@@ -1586,11 +1586,11 @@ function ca(e, t, n) {
       r && Q(je(o, I(S(r.side, t), S(r.up, e))));
       return;
     }
-    Jo.peek() === "fly" || n !== 0 ? Q($i(o, Ve.peek(), e, t, n)) : (Q(Pi(o, Ve.peek(), e, t, 0)), el());
+    Jo.peek() === "fly" || n !== 0 ? Q(Li(o, Ve.peek(), e, t, n)) : (Q($i(o, Ve.peek(), e, t, 0)), tl());
   }
 }
-var Rt = !1, sr = !0, sa = null;
-function el() {
+var Rt = !1, sr = !0, la = null;
+function tl() {
   let e = ne();
   if (!e || Rt || !sr) return;
   let t = Ve.peek();
@@ -1599,8 +1599,8 @@ function el() {
     Rt = !1, sr = !0;
     let r = ne();
     if (!o.hit || !r || r.height) return;
-    sa = q(o.point, t);
-    let i = sa + Qs - q(r.eye, t);
+    la = q(o.point, t);
+    let i = la + Js - q(r.eye, t);
     Math.abs(i) > 0.01 && Q(je(r, S(t, i * 0.5)));
   }, () => {
     Rt = !1, sr = !1;
@@ -1609,7 +1609,7 @@ function el() {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function tl() {
+function nl() {
   let e = P.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
@@ -1623,37 +1623,37 @@ function tl() {
   return [r(Math.min), r(Math.max)];
 }
 function fr() {
-  let e = ne(), t = tl();
-  e && t ? Q(Ii(e, t), "selection") : pr();
+  let e = ne(), t = nl();
+  e && t ? Q(Ai(e, t), "selection") : pr();
 }
 function pr() {
   lr && Q(lr, "home");
 }
-function nl(e) {
+function ol(e) {
   let [t, n] = _e.peek();
-  Q(Ri(e, Ot(), Ve.peek(), t / n), e);
+  Q(Oi(e, Ot(), Ve.peek(), t / n), e);
 }
-function ol() {
+function rl() {
   for (let e = Ge.length - 1; e >= 0; e--)
     if (!Ge[e].height) return Q(Ge[e], "inside");
   pr();
 }
-var rl = N(() => {
+var il = N(() => {
   let e = he.value;
   if (!e?.height) return null;
   let t = wt(e, 2, 2), n = _t(Ot()).map((s) => q(K(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(..._t(Ot()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function il(e) {
+function al(e) {
   let t = ne();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var dr = g("spot"), fa = () => {
-}, al = (e) => {
-  fa = e;
-}, pa = (e) => fa(e);
+var dr = g("spot"), pa = () => {
+}, sl = (e) => {
+  pa = e;
+}, da = (e) => pa(e);
 function mr(e) {
   z.value = z.peek() === e ? null : e;
 }
@@ -1669,29 +1669,29 @@ function ao(e) {
   if (t) return se(t, "warn");
   (e.do === "look" ? e.what === "recall" : e.do !== "save") && ir(), H(e);
 }
-var sl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ll = {
+var ll = (e, t) => Object.fromEntries(e.map((n) => [n, t])), ul = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, vr = ll, da = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), ul = () => at.peek().false_color ?? vr;
+}, vr = ul, ma = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i }), cl = () => at.peek().false_color ?? vr;
 function br() {
   let e = at.peek().false_color;
-  e && (vr = e), At({ false_color: e ? null : da(vr) });
+  e && (vr = e), At({ false_color: e ? null : ma(vr) });
 }
 function so(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
   At({ ev: t });
 }
-function cl() {
+function fl() {
   let e = ne();
   if (!e) return;
   let t = ro(St);
   Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var fl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
+var pl = () => ao({ do: "look", what: "store", name: `Look ${ro(Mt) + 1}` });
 async function yr(e) {
   let t = !1;
   try {
@@ -1703,10 +1703,10 @@ async function yr(e) {
   se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Nt = /* @__PURE__ */ new Map(), io = null;
-function pl(e) {
+function dl(e) {
   Nt = new Map(e.map((t) => [t.id, t])), io && oe(io), io = null;
 }
-var dl = () => [...Nt.values()], ma = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
+var ml = () => [...Nt.values()], ha = (e) => Nt.get(e), _r = (e) => Nt.get(e)?.why?.() ?? null;
 function oe(e) {
   let t = Nt.get(e);
   Nt.size || (io = e);
@@ -1715,34 +1715,34 @@ function oe(e) {
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var ml = /* @__PURE__ */ Symbol.for("pv"), hl = 0;
+var hl = /* @__PURE__ */ Symbol.for("pv"), vl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: ml, __v: --hl, __i: -1, __u: 0 };
+  var c = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: hl, __v: --vl, __i: -1, __u: 0 };
   return (r || i) && (c.__source = r, c.__self = i), E.vnode && E.vnode(c), c;
 }
 
 // src/load.tsx
-var va = g(null), ha = !1, wr = (e) => va.value?.[e];
+var ga = g(null), wr = !1, va = 0, kr = (e) => ga.value?.[e];
 function ee({ part: e }) {
-  let t = wr(e);
+  let t = kr(e);
   return t ? l(t, {}) : null;
 }
-function ga() {
+function ba() {
   T(() => {
-    if (ha || !(W.value ?? P.value)) return;
-    ha = !0;
-    let e = "./gizmo.js";
+    if (wr || !(W.value ?? P.value)) return;
+    wr = !0;
+    let e = `./gizmo.js${va++ ? `?${va}` : ""}`;
     setTimeout(() => {
-      import(e).then((t) => va.value = t);
+      import(e).then((t) => ga.value = t, () => wr = !1);
     }, 0);
   });
 }
 
 // src/units.ts
-var lo = 0.3048, ba = {
+var lo = 0.3048, ya = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1759,19 +1759,19 @@ var lo = 0.3048, ba = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, vl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function kr(e) {
-  let t = vl.exec(e);
+}, gl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function xr(e) {
+  let t = gl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function ya(e, t, n) {
+function _a(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let p = kr(o);
+    let p = xr(o);
     if (!p) return null;
     let c = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", u = c === "" ? n : t.units[c.toLowerCase()];
     if (u === void 0) return null;
@@ -1779,8 +1779,8 @@ function ya(e, t, n) {
   }
   return i ? null : r;
 }
-function _a(e, t, n) {
-  let o = ba[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function wa(e, t, n) {
+  let o = ya[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (w) => Math.min(o.high, Math.max(o.low, y(w)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1789,19 +1789,19 @@ function _a(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let y = kr(p[1].trim());
+    let y = xr(p[1].trim());
     return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((w) => w * 2 ** y.value);
   }
   let c = /^([*/×÷])\s*(.+)$/.exec(r);
   if (c) {
-    let y = kr(c[2]);
+    let y = xr(c[2]);
     if (!y) return i;
     let w = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, x = y.value * w;
     return !Number.isFinite(x) || x === 0 && /[/÷]/.test(c[1]) ? i : a((k) => /[/÷]/.test(c[1]) ? k / x : k * x);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = ya(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = _a(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = ya(m, { ...ba.flux }, NaN);
+    let y = _a(m, { ...ya.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1858,7 +1858,7 @@ function gn(e) {
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = _a(t.value, e.quantity, e.flux);
+    let d = wa(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1934,8 +1934,8 @@ function qt({ id: e, label: t, title: n, children: o }) {
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function xr({ id: e, label: t }) {
-  let n = _r(e), o = ma(e);
+function Sr({ id: e, label: t }) {
+  let n = _r(e), o = ha(e);
   return l(
     "button",
     {
@@ -1954,19 +1954,19 @@ function xr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var wa = {
+var ka = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function ka() {
+function xa() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(qt, { id: "page-menu", label: l(G, { name: "menu" }), title: "Page", children: l(ee, { part: "PageItems" }) }),
     l("h1", { title: o.file || Z.value?.file, children: [
       Z.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": wa[o.state], title: `${wa[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": ka[o.state], title: `${ka[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => oe("undo"), children: l(G, { name: "undo" }) }),
@@ -2027,23 +2027,23 @@ function ka() {
 function uo(e) {
   ke.value = e, H({ do: "solo", lamps: e });
 }
-function Sr(e) {
+function Mr(e) {
   let t = ke.peek(), n = e.every((o) => t.includes(o));
   uo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var gl = () => Sr(le.peek()), Mr = () => uo([]), bn = null;
+var bl = () => Mr(le.peek()), Cr = () => uo([]), bn = null;
 function co(e) {
   e && bn === null && le.peek().length ? (bn = ke.peek(), uo(le.peek())) : !e && bn !== null && (uo(bn), bn = null);
 }
 
 // src/lights.ts
-var Ye = g(null), Cr = () => {
-}, Sa = () => {
+var Ye = g(null), Er = () => {
+}, Ma = () => {
 };
 function fo(e, t, n) {
-  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, xa(n);
+  po(), Ye.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 }, Sa(n);
   let o = !0, r = 0;
-  Sa = T(() => {
+  Ma = T(() => {
     for (let [, i] of M.all()) st(i);
     if (o) {
       o = !1;
@@ -2051,12 +2051,12 @@ function fo(e, t, n) {
     }
     clearTimeout(r), r = window.setTimeout(() => {
       let i = ie(() => Ye.value);
-      i && xa(i.hit);
+      i && Sa(i.hit);
     }, 250);
   });
 }
-function xa(e) {
-  Cr(), Cr = Se("light", { point: e.point, normal: e.normal }, (t) => {
+function Sa(e) {
+  Er(), Er = Se("light", { point: e.point, normal: e.normal }, (t) => {
     let n = Ye.peek();
     n && (Ye.value = {
       ...n,
@@ -2067,41 +2067,41 @@ function xa(e) {
   });
 }
 function po() {
-  Cr(), Sa(), Ye.value = null;
+  Er(), Ma(), Ye.value = null;
 }
 
 // src/keys.ts
-var La = g("W A S D"), Er = {
+var Va = g("W A S D"), Tr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, bl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Tr = !1, Pr = 0;
-function Va(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Pr) / 1e3));
-  if (Pr = e, !jt.size) {
-    Tr = !1;
+}, yl = 1.8, jt = /* @__PURE__ */ new Set(), mo = !1, ho = 1, Pr = !1, $r = 0;
+function Ia(e) {
+  let t = Math.min(0.1, Math.max(0, (e - $r) / 1e3));
+  if ($r = e, !jt.size) {
+    Pr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
   for (let s of jt) {
-    let [p, c, u] = Er[s];
+    let [p, c, u] = Tr[s];
     n += p, o += c, r += u;
   }
-  let i = Math.max(1, He(...Ot()) / 12), a = bl * t * ho * Math.min(i, 6);
-  (n || o || r) && ca(n * a, o * a, r * a), requestAnimationFrame(Va);
+  let i = Math.max(1, He(...Ot()) / 12), a = yl * t * ho * Math.min(i, 6);
+  (n || o || r) && fa(n * a, o * a, r * a), requestAnimationFrame(Ia);
 }
 function yn(e) {
-  jt.add(e), !Tr && (Tr = !0, Pr = performance.now(), requestAnimationFrame(Va));
+  jt.add(e), !Pr && (Pr = !0, $r = performance.now(), requestAnimationFrame(Ia));
 }
-var yl = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function Ma() {
+var _l = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Ca() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var _l = {
+var wl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2121,7 +2121,7 @@ var _l = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Ca = {
+}, Ea = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2129,7 +2129,7 @@ var _l = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ea = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ta = {
+}, Ta = { Comma: "darker", Period: "brighter", Slash: "expose" }, Pa = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2138,32 +2138,32 @@ var _l = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function wl(e) {
+function kl(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function kl() {
+function xl() {
   z.peek() ? z.value = null : Ye.peek() ? po() : de.peek() ? de.value = null : P.peek() ? Zn() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Pa(e) {
+function $a(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || ne()?.height ? Ft(-t * 24, n * 24, 3) : e.shiftKey ? oo(Dt(), -t * 0.05, n * 0.05) : no(-t * 0.06, n * 0.06), !0);
 }
-function $a(e) {
+function La(e) {
   let t = ne(), n = ft();
   !t || !n || (t.height ? Q(Fn(t, n, n.width / 2, n.height / 2, e)) : Q(Dn(t, t.target, e, 0.3, !0)));
 }
-function xl(e) {
+function Sl(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return kl();
-  if (yl(e.target)) {
+  if (e.key === "Escape") return xl();
+  if (_l(e.target)) {
     t && e.key.toLowerCase() === "k" && De(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (Ma() && Pa(e)) return e.preventDefault();
-    let i = wl(e);
+    if (Ca() && $a(e)) return e.preventDefault();
+    let i = kl(e);
     i && De(e, i);
     return;
   }
@@ -2178,16 +2178,16 @@ function xl(e) {
       a && Q(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Er)) return;
+    if (e.code === "KeyH" && De(e, "unhide"), !(e.code in Tr)) return;
   }
-  let n = Ma();
-  if (n && Pa(e)) return e.preventDefault();
-  if (n && e.code in Er)
+  let n = Ca();
+  if (n && $a(e)) return e.preventDefault();
+  if (n && e.code in Tr)
     return ho = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, yn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return $a(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return $a(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return La(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return La(1 / 0.85);
   if (!er.peek()) return;
-  if (e.shiftKey && Ta[e.code]) return De(e, Ta[e.code]);
+  if (e.shiftKey && Pa[e.code]) return De(e, Pa[e.code]);
   if (mo && /^\d$/.test(e.key)) {
     e.preventDefault(), mo = !1;
     let i = Mt.ids.peek()[Number(e.key) - 1];
@@ -2199,47 +2199,47 @@ function xl(e) {
     e.preventDefault(), gr.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ea[e.code]) return De(e, Ea[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Ta[e.code]) return De(e, Ta[e.code]);
   if (e.key === "\\") return void (e.repeat || dn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || oe("highlight"));
-  if (o === "p" && e.shiftKey) return Sl();
-  let r = e.shiftKey && Ca[o] ? Ca[o] : _l[o];
+  if (o === "p" && e.shiftKey) return Ml();
+  let r = e.shiftKey && Ea[o] ? Ea[o] : wl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && De(e, r);
 }
-function Sl() {
+function Ml() {
   let [e, t] = _e.peek(), n = Kt(e / 2, t / 2);
   n && Se("point", n, (o) => o.hit && fo(e / 2, t / 2, o));
 }
 function De(e, t) {
   e.preventDefault(), oe(t);
 }
-function Ml(e) {
+function Cl(e) {
   jt.delete(e.code), e.key === "\\" && dn(!1), e.key.toLowerCase() === "l" && co(!1), e.key === "Shift" && (ho = 1);
 }
-function Ia() {
-  addEventListener("keydown", xl), addEventListener("keyup", Ml), addEventListener("blur", () => {
+function Aa() {
+  addEventListener("keydown", Sl), addEventListener("keyup", Cl), addEventListener("blur", () => {
     jt.clear(), co(!1), dn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    La.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Va.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Cl(e, t) {
+function El(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) jt.delete(n);
   ho = Math.min(1, Math.hypot(e, t)), e > 0.2 && yn("KeyW"), e < -0.2 && yn("KeyS"), t < -0.2 && yn("KeyA"), t > 0.2 && yn("KeyD");
 }
 
 // src/levels.ts
-var $r = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Lr = (e) => {
+var Lr = (e) => Math.min(1, Yn.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Vr = (e) => {
   let t = Yn.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, El = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
-function Vr(e) {
+}, Tl = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.level ?? 0, vo = (e) => (e.kind === "lamp" ? M.get(e.id) : D.get(e.id))?.name ?? "";
+function Ir(e) {
   let t = le.peek();
   return e.kind === "lamp" && P.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Aa(e, t, n) {
+function Ra(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2251,7 +2251,7 @@ function Aa(e, t, n) {
 var _n = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = El(t), this.from = t.kind === "lamp" ? new Map(Vr(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
+    this.was = this.now = Tl(t), this.from = t.kind === "lamp" ? new Map(Ir(t).map((n) => [n, M.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${vo(t)} level`);
   }
   strip;
   gesture;
@@ -2259,7 +2259,7 @@ var _n = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Aa(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ra(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? eo([...this.from.keys()]) : vo(this.strip);
@@ -2270,10 +2270,10 @@ var _n = class {
   }
 };
 function go(e, t) {
-  let n = new Map(Vr(e).map((o) => [o, M.get(o)?.level ?? 0]));
-  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Aa(e, t, n));
+  let n = new Map(Ir(e).map((o) => [o, M.get(o)?.level ?? 0]));
+  rr(`level ${e.kind} ${e.id}`, `${vo(e)} level`, Ra(e, t, n));
 }
-function Ir(e, t) {
+function Ar(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = M.get(r);
@@ -2281,35 +2281,35 @@ function Ir(e, t) {
   })), o = e.length === 1 ? ` ${Ae(M.get(e[0])?.level ?? 0)} → ${Ae(n[e[0]].level)} %` : " level";
   Le(`${eo(e)}${o}`, { lamps: n });
 }
-function Ar(e, t) {
+function Rr(e, t) {
   let n = t(D.get(e)?.level ?? 0);
   Le(`${D.get(e)?.name ?? "Group"} ${Ae(n)} %`, { groups: { [e]: { level: n } } });
 }
-function Rr(e, t) {
+function Or(e, t) {
   let n = `${vo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Vr(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Ir(e).map((o) => [o, { on: t }])) });
 }
 
 // src/swatch.ts
-var Tl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Pl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, $l = (e) => Math.round(255 * Tl(Math.max(0, Math.min(1, e))));
-function Or(e) {
+var Pl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, $l = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Ll = (e) => Math.round(255 * Pl(Math.max(0, Math.min(1, e))));
+function Hr(e) {
   let t = Math.max(...e, 1e-6);
-  return Ra(e.map((n) => n / t));
+  return Oa(e.map((n) => n / t));
 }
-function Ra(e) {
-  return `#${e.map((t) => $l(t).toString(16).padStart(2, "0")).join("")}`;
+function Oa(e) {
+  return `#${e.map((t) => Ll(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Ll(e) {
-  let t = (n) => Pl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Vl(e) {
+  let t = (n) => $l(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Vl = (e) => 1e6 / e;
+var Il = (e) => 1e6 / e;
 
 // src/range.tsx
-var Oa = -1e9;
-addEventListener("scroll", () => Oa = performance.now(), { capture: !0, passive: !0 });
+var Ha = -1e9;
+addEventListener("scroll", () => Ha = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function Hr(e) {
+function Kr(e) {
   let t = te(null), n = te(null), o = e.notch ?? 0.01, r = (c) => {
     if (c.button !== 0 || e.disabled) return;
     let u = c.currentTarget.getBoundingClientRect(), d = e.vertical ? (u.bottom - c.clientY - 8) / (u.height - 16) : (c.clientX - u.left - 6) / (u.width - 12), m = c.pointerType !== "touch" && !c.shiftKey;
@@ -2329,7 +2329,7 @@ function Hr(e) {
     let u = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[c.key], d = null;
     u && (d = Ut(e.value + u * o * (c.shiftKey ? 10 : 1))), c.key === "Home" && (d = 0), c.key === "End" && (d = 1), !(d === null || c.altKey || c.ctrlKey || c.metaKey) && (c.preventDefault(), c.stopPropagation(), e.on(d));
   }, p = (c) => {
-    if (performance.now() - Oa < 400 || c.ctrlKey) return;
+    if (performance.now() - Ha < 400 || c.ctrlKey) return;
     c.preventDefault();
     let u = Math.abs(c.deltaY) >= Math.abs(c.deltaX) ? c.deltaY : c.deltaX;
     u && e.on(Ut(e.value - Math.sign(u) * o * (c.shiftKey ? 0.2 : 1)));
@@ -2366,12 +2366,12 @@ function Hr(e) {
 }
 
 // src/faderrow.tsx
-function Ha(e) {
+function Ka(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${B(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
-var Kr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Ka({ row: e, index: t, count: n }) {
+var Dr = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
+function Da({ row: e, index: t, count: n }) {
   let o = te(null), r = { kind: e.kind, id: e.id }, i = e.kind === "lamp" ? M.get(e.id) : void 0, a = e.kind === "group" ? D.get(e.id) : void 0, s = i ?? a;
   if (!s) return null;
   let p = a?.lamps ?? [e.id], c = i ? i.flux : p.reduce((_, C) => _ + (M.get(C)?.flux ?? 0) * (M.get(C)?.level ?? 0), 0), u = Uo(p), d = P.value?.kind === e.kind && P.value.ids.includes(e.id), m = p.length > 0 && p.every((_) => ke.value.includes(_)), f = ke.value.length > 0 && !p.some((_) => ke.value.includes(_)), b = me.value?.kind === e.kind && me.value.id === e.id, y = `${d ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${f ? "muted" : ""} ${b ? "under" : ""}`, w = Qn.value, x = d ? 0 : -1, k = {
@@ -2394,36 +2394,36 @@ function Ka({ row: e, index: t, count: n }) {
       onPointerEnter: () => me.value = { kind: e.kind, id: e.id },
       onPointerLeave: () => me.value = null,
       children: [
-        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Rr(r, !s.on), children: l(G, { name: "power" }) }),
+        l("button", { class: "icon power", tabIndex: x, "aria-pressed": s.on, disabled: w !== null, "aria-label": `${s.name} on`, title: w ?? (s.on ? "On (O)" : "Off (O)"), onClick: () => Or(r, !s.on), children: l(G, { name: "power" }) }),
         l("div", { class: "top", children: [
-          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Da(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
-          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Kr(i)}` : s.name, onClick: (_) => Dr(_, e.kind, e.id), children: [
+          a && l("button", { class: "icon fold", "aria-expanded": !mt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Fa(e.id), children: l(G, { name: mt.value.has(e.id) ? "right" : "down" }) }),
+          l("button", { class: "row-name", "aria-pressed": d, title: i ? `${i.name}: ${Dr(i)}` : s.name, onClick: (_) => Fr(_, e.kind, e.id), children: [
             l("span", { children: s.name }),
             a && l("small", { children: p.length }),
             i?.parked && l("small", { children: "parked" }),
-            i && !i.free && l("small", { class: "traced", title: Kr(i), children: [
+            i && !i.free && l("small", { class: "traced", title: Dr(i), children: [
               "↻",
               l("span", { class: "spoken", children: "re-trace" })
             ] })
           ] }),
           i && l("span", { class: "tint", children: [
-            l("i", { class: "swatch", style: { background: Or(i.swatch) } }),
-            Ha(i)
+            l("i", { class: "swatch", style: { background: Hr(i.swatch) } }),
+            Ka(i)
           ] }),
-          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Sr(p), children: l(G, { name: "solo" }) })
+          l("button", { class: "icon solo", tabIndex: x, "aria-pressed": m, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Mr(p), children: l(G, { name: "solo" }) })
         ] }),
         l("div", { class: "bottom", children: [
           l(
-            Hr,
+            Kr,
             {
               label: `${s.name} level`,
               class: "level",
-              value: $r(s.level),
+              value: Lr(s.level),
               text: `${Ae(s.level)} %, ${Xe(u)} lumen`,
               notch: 0.01,
               disabled: w !== null,
               on: (_) => {
-                let C = Lr(_);
+                let C = Vr(_);
                 o.current ? o.current.to(C) : go(r, C);
               },
               reset: () => go(r, 1),
@@ -2441,7 +2441,7 @@ function Ka({ row: e, index: t, count: n }) {
               disabled: w !== null,
               why: w,
               tabIndex: x,
-              set: (_) => i ? Ir(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Ar(e.id, _)
+              set: (_) => i ? Ar(d && le.peek().length > 1 ? le.peek() : [e.id], _) : Rr(e.id, _)
             }
           ),
           l("span", { class: "lumens", children: vn(u, "flux") })
@@ -2452,8 +2452,8 @@ function Ka({ row: e, index: t, count: n }) {
 }
 
 // src/virtual.tsx
-var Fa = 4;
-function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+var Na = 4;
+function Nr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = te(null), s = nt(0), p = nt(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
@@ -2464,12 +2464,12 @@ function Fr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let c = Math.max(0, Math.floor(s.value / t) - Fa), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Fa);
+  let c = Math.max(0, Math.floor(s.value / t) - Na), u = Math.min(e, Math.ceil((s.value + p.value) / t) + Na);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${c * t}px)` }, children: Array.from({ length: Math.max(0, u - c) }, (d, m) => n(c + m)) }) }) });
 }
 
 // src/lamps.tsx
-var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), qa = N(() => {
+var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), ja = N(() => {
   let e = bo.value.trim().toLowerCase(), t = M.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (yo.value !== "group" && Lt.value === "sheet") {
     let s = yo.value, p = [...r];
@@ -2489,28 +2489,28 @@ var bo = g(""), mt = g(/* @__PURE__ */ new Set()), yo = g("group"), qa = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Na = !1;
+}), qa = !1;
 D.ids.subscribe((e) => {
-  Na || !e.length || (Na = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  qa || !e.length || (qa = !0, M.ids.peek().length > 40 && (mt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Da(e) {
+function Fa(e) {
   let t = new Set(mt.peek());
   t.delete(e) || t.add(e), mt.value = t;
 }
-function Dr(e, t, n) {
-  e.shiftKey ? ra(t, qa.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Fr(e, t, n) {
+  e.shiftKey ? ia(t, ja.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Il(e) {
+function Al(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Al = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function ja() {
-  let e = qa.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Il, children: [
+var Rl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Ua() {
+  let e = ja.value, t = P.value?.ids[P.value.ids.length - 1], n = e.findIndex((i) => i.kind === P.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = Lt.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Al, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2543,7 +2543,7 @@ function ja() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(qt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Al.map((i) => l(xr, { id: i }, i)),
+        Rl.map((i) => l(Sr, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2552,14 +2552,14 @@ function ja() {
     ] }),
     r && l(ee, { part: "SheetHead" }),
     l(
-      Fr,
+      Nr,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? wr("SheetRow") : Ka;
+          let a = e[i], s = r ? kr("SheetRow") : Da;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2574,10 +2574,10 @@ function ja() {
 }
 
 // src/states.ts
-var kn = g(null), Qe = g([]), xn = g(null), qr = g(null), Nr = N(() => Te.value?.stage ?? "loading"), Ua = g(!1), wn = 0;
+var kn = g(null), Qe = g([]), xn = g(null), jr = g(null), qr = N(() => Te.value?.stage ?? "loading"), Wa = g(!1), wn = 0;
 T(() => {
   let e = Te.value?.fps ?? 0;
-  Nr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, Ua.value = wn > 0 && performance.now() - wn > 2e3;
+  qr.value === "moving" && e > 6 && $t.value < 0.4 * e && $t.value < 5 ? wn || (wn = performance.now()) : wn = 0, Wa.value = wn > 0 && performance.now() - wn > 2e3;
 });
 var Wt = N(() => {
   switch (U.value) {
@@ -2588,7 +2588,7 @@ var Wt = N(() => {
     default:
       return U.value;
   }
-  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : ji.value ? "all-off" : Ua.value ? "slow" : Nr.value === "loading" ? "first" : Nr.value;
+  return !Z.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : kn.value !== null ? "broken" : xn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : M.ids.value.length === 0 ? "no-lamps" : Ui.value ? "all-off" : Wa.value ? "slow" : qr.value === "loading" ? "first" : qr.value;
 });
 xe("event", (e) => {
   switch (e.what) {
@@ -2605,7 +2605,7 @@ xe("event", (e) => {
       xn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      qr.value = e;
+      jr.value = e;
       break;
   }
 });
@@ -2621,7 +2621,7 @@ function wo(e, t, n) {
   if (!o) return n(null);
   Se("point", o, (r) => n(r.hit ? r : null));
 }
-function Wa(e) {
+function Ba(e) {
   if (!e) return "";
   let t = [], n = M.get(e.lamp)?.name, o = be.get(e.thing)?.name, r = xt.get(e.material)?.name;
   if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${dt(e.lux[0])} ±${dt(e.lux[1], !1)}`), e.luminance) {
@@ -2632,7 +2632,7 @@ function Wa(e) {
 }
 
 // src/status.tsx
-var Ba = N(() => {
+var za = N(() => {
   W.value;
   let e = [];
   for (let t of ae.sent.slice(-24)) {
@@ -2642,7 +2642,7 @@ var Ba = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Rl() {
+function Ol() {
   let e = Te.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${B((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2659,20 +2659,20 @@ function Rl() {
       return `finished${t}`;
   }
 }
-function za() {
+function Ga() {
   let e = Te.value, t = W.value?.head, n = sn.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Rl()
+      Ol()
     ] }),
     l("span", { children: [
       B(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
     l("span", { children: U.value === "open" ? `${B($t.value)} fps` : "no line" }),
-    Ba.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      B(Ba.value),
+    za.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      B(za.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2685,7 +2685,7 @@ function za() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Wa(_o.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Ba(_o.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2697,11 +2697,11 @@ function za() {
 }
 
 // src/pointer.ts
-var Ol = 4, Ga = 35e-4, Hl = 0.15;
-function Kl(e, t, n) {
+var Hl = 4, Xa = 35e-4, Kl = 0.15;
+function Dl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function Xa(e, t) {
+function Ya(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Dt(), r = 3, i = !1, a = 0, s = 0, p = 0, c = null, u = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2718,7 +2718,7 @@ function Xa(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Kl(Xn.peek(), h.button, V);
+    let [v, $] = u(h), L = h.pointerType === "touch", V = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, A = L ? "look" : Dl(Xn.peek(), h.button, V);
     A === "look" && ne()?.height && (A = "pan"), z.peek() === "marquee" && h.button === 0 && (A = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2750,7 +2750,7 @@ function Xa(e, t) {
       return;
     }
     let [V, A] = [$ - v.x, L - v.y];
-    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Ol)) {
+    if (!(!v.moved && Math.hypot($ - v.startX, L - v.startY) < Hl)) {
       if (v.moved = !0, v.x = $, v.y = L, n.size === 2 && c) {
         let R = b();
         Ft(R.x - c.x, R.y - c.y, r), R.gap > 8 && c.gap > 8 && k(R.x, R.y, c.gap / R.gap, !1), c = R;
@@ -2763,7 +2763,7 @@ function Xa(e, t) {
       switch (v.motion) {
         case "look": {
           let R = v.touch ? 1 : -1;
-          no(R * V * Ga, R * A * Ga);
+          no(R * V * Xa, R * A * Xa);
           break;
         }
         case "orbit":
@@ -2808,13 +2808,13 @@ function Xa(e, t) {
     if (!x || R - x.time > 500 || Math.hypot(h - x.x, v - x.y) > 6) {
       x = { x: h, y: v, time: R, point: null };
       let vt = x;
-      d(h, v, (Gr) => {
-        vt.point = Gr.point, r = m(Gr.point);
+      d(h, v, (Xr) => {
+        vt.point = Xr.point, r = m(Xr.point);
       });
     }
     x.time = R;
-    let [rs, is] = [h - A.width / 2, A.height / 2 - v], as = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * rs * A.pixel + A.up[vt] * is * A.pixel) * as, zr = x.point ?? [ko(0), ko(1), ko(2)];
-    Q(Dn(V, zr, $, Hl, L)), L && He(V.eye, zr) < 0.5 && (x = null);
+    let [is, as] = [h - A.width / 2, A.height / 2 - v], ss = Math.min(r, He(V.eye, Dt()) + 1), ko = (vt) => V.eye[vt] + (A.forward[vt] + A.side[vt] * is * A.pixel + A.up[vt] * as * A.pixel) * ss, Gr = x.point ?? [ko(0), ko(1), ko(2)];
+    Q(Dn(V, Gr, $, Kl, L)), L && He(V.eye, Gr) < 0.5 && (x = null);
   }
   function _(h) {
     if (h.target.closest("[data-scroll]")) return;
@@ -2840,13 +2840,13 @@ function Xa(e, t) {
 }
 
 // src/overlay.ts
-var Dl = "http://www.w3.org/2000/svg";
+var Fl = "http://www.w3.org/2000/svg";
 function we(e, t = {}, n) {
-  let o = document.createElementNS(Dl, e);
+  let o = document.createElementNS(Fl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Ur = class {
+var Wr = class {
   view;
   fit;
   constructor(t) {
@@ -2868,23 +2868,23 @@ var Ur = class {
     return !p || !c ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${c[0].toFixed(1)} ${c[1].toFixed(1)}`;
   }
 };
-function Wr() {
+function Br() {
   let e = W.value;
-  return _e.value, e ? new Ur(wt(e.camera, e.head.width, e.head.height)) : null;
+  return _e.value, e ? new Wr(wt(e.camera, e.head.width, e.head.height)) : null;
 }
-function Ya() {
-  let e = ie(Wr);
+function Qa() {
+  let e = ie(Br);
   return e ? M.all().flatMap(([t, n]) => {
-    let o = Qa(n), r = o && e.at(o);
+    let o = Ja(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var Qa = hr, Fl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function jr(e, t) {
+var Ja = hr, Nl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Ur(e, t) {
   let n = _t(t);
-  return Fl.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Nl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Nl = 150, Sn = class {
+var ql = 150, Sn = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2915,16 +2915,16 @@ var Nl = 150, Sn = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function Ja(e) {
+function Za(e) {
   let t = we("path", { class: "aims" }, e), n = we("path", { class: "boxes" }, e), o = we("path", { class: "boxes hover" }, e), r = we("path", { class: "grid-lines" }, e), i = new Sn(we("g", {}, e), "lamp", (u) => we("circle", { r: 4.5 }, u)), a = new Sn(we("g", {}, e), "grid", () => {
   }), s = new Sn(we("g", {}, e), "meter", (u) => {
     we("circle", { r: 5.5 }, u), we("path", { d: "M-9 0H9M0 -9V9" }, u);
   }), p = T(() => {
-    let u = Wr();
+    let u = Br();
     if (!u) return;
-    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= Nl, w = M.all().map(([k, _]) => {
-      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Qa(_), fe = _.place?.position;
-      if (C && _.box && (b += jr(u, _.box)), fe && _.place?.direction && (C || Me)) {
+    let d = P.value, m = me.value, f = "", b = "", y = M.ids.value.length <= ql, w = M.all().map(([k, _]) => {
+      let C = d?.kind === "lamp" ? d.ids.includes(k) : d?.kind === "group" && d.ids.includes(_.group ?? -1), Me = m?.kind === "lamp" ? m.id === k : m?.kind === "group" && m.id === _.group, Je = Ja(_), fe = _.place?.position;
+      if (C && _.box && (b += Ur(u, _.box)), fe && _.place?.direction && (C || Me)) {
         let v = _.place.aim ?? I(fe, _.place.direction);
         f += u.line(fe, v);
       }
@@ -2934,13 +2934,13 @@ function Ja(e) {
     if (i.draw(w), t.setAttribute("d", f), d?.kind === "thing")
       for (let k of d.ids) {
         let _ = be.get(k)?.box;
-        _ && (b += jr(u, _));
+        _ && (b += Ur(u, _));
       }
     n.setAttribute("d", b);
     let x = m?.kind === "lamp" ? M.get(m.id)?.box : m?.kind === "thing" ? be.get(m.id)?.box : null;
-    o.setAttribute("d", x ? jr(u, x) : "");
+    o.setAttribute("d", x ? Ur(u, x) : "");
   }), c = T(() => {
-    let u = Wr();
+    let u = Br();
     if (!u) return;
     let d = P.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
     s.draw(Ct.all().map(([b, y]) => ({
@@ -2951,7 +2951,7 @@ function Ja(e) {
     })));
     let f = "";
     a.draw(qn.all().map(([b, y]) => {
-      f += ql(u, y);
+      f += jl(u, y);
       let w = y.mean == null ? "…" : `${y.name} ${dt(y.mean)}`;
       return { id: b, at: u.at(y.corner), label: w, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2960,7 +2960,7 @@ function Ja(e) {
     p(), c(), e.replaceChildren();
   };
 }
-function ql(e, t) {
+function jl(e, t) {
   let n = (r, i) => I(t.corner, I(S(t.u, r), S(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
@@ -2974,20 +2974,20 @@ function ql(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var Za = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function jl() {
+var es = () => `lampyris view ${Z.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Ul() {
   let e = M.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Le("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Ul() {
+function Wl() {
   switch (Wt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = qr.value;
+      let e = jr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
         e?.file ?? Z.value?.file ?? "the scene",
@@ -3006,11 +3006,11 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: Za() }),
+          l("code", { children: es() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          yr(Za());
+          yr(es());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3073,7 +3073,7 @@ function Ul() {
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
         rt.value.undo && l("button", { onClick: () => oe("undo"), children: "Undo" }),
-        l("button", { onClick: jl, children: "Turn on" })
+        l("button", { onClick: Ul, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3085,10 +3085,10 @@ function Ul() {
       return null;
   }
 }
-function es() {
+function ts() {
   let e = ke.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Ul(),
+    Wl(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3102,7 +3102,7 @@ function es() {
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
       e.length === 1 ? M.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: Mr, children: "End solo" })
+      l("button", { onClick: Cr, children: "End solo" })
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: ct.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
@@ -3112,20 +3112,20 @@ function es() {
 }
 
 // src/view.tsx
-var ns = g(null);
-function Wl(e, t) {
-  let n = Ya();
+var os = g(null);
+function Bl(e, t) {
+  let n = Qa();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Bl = {
+var zl = {
   click(e, t, n) {
-    let o = ts(e, t);
+    let o = ns(e, t);
     if (z.peek() === null && o) return ze(o.kind, o.id, n);
     wo(e, t, (r) => {
-      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return pa(r);
-      aa(r, n), P.peek() && (Ie.value = "inspector");
+      if (r && (to.value = { point: r.point, normal: r.normal }), z.peek() !== null) return da(r);
+      sa(r, n), P.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3137,7 +3137,7 @@ var Bl = {
     fr();
   },
   hover(e, t) {
-    let n = ts(e, t);
+    let n = ns(e, t);
     n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), wo(e, t, (o) => {
       _o.value = o, o && (to.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
@@ -3146,12 +3146,12 @@ var Bl = {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ns.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Wl(e, t);
+    if (os.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Bl(e, t);
     P.value = o.length ? { kind: "lamp", ids: o } : null, z.value = null;
   }
 };
-function ts(e, t) {
+function ns(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3161,7 +3161,7 @@ function ts(e, t) {
   }
   return o;
 }
-var zl = {
+var Gl = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3169,15 +3169,15 @@ var zl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function os() {
+function rs() {
   let e = te(null), t = te(null), n = te(null);
   return Ce(() => {
     Xo(t.current);
-    let o = Ja(n.current), r = Xa(e.current, Bl);
+    let o = Za(n.current), r = Ya(e.current, zl);
     return () => {
       Xo(null), o(), r();
     };
-  }, []), Ei(() => {
+  }, []), Ti(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3197,13 +3197,13 @@ function os() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(ee, { part: "Gizmo" }),
           l(ee, { part: "Compare" }),
-          l(Gl, {})
+          l(Xl, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    z.value && l("p", { class: "hint", role: "status", children: zl[z.value] }),
-    l(es, {}),
+    z.value && l("p", { class: "hint", role: "status", children: Gl[z.value] }),
+    l(ts, {}),
     l(ee, { part: "Legend" }),
     l(ee, { part: "CutBar" }),
     l(ee, { part: "ViewStrip" }),
@@ -3211,8 +3211,8 @@ function os() {
     l(ee, { part: "What" })
   ] });
 }
-function Gl() {
-  let e = ns.value;
+function Xl() {
+  let e = os.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3227,20 +3227,20 @@ function Gl() {
 }
 
 // src/main.tsx
-function Xl() {
+function Yl() {
   return l(X, { children: [
-    l(ka, {}),
-    l(ja, {}),
-    l(os, {}),
+    l(xa, {}),
+    l(Ua, {}),
+    l(rs, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(ee, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(ee, { part: "Strip" }) }),
-    l(za, {}),
+    l(Ga, {}),
     l(ee, { part: "Sheets" })
   ] });
 }
 var ht = document.getElementById("desk");
 ht.replaceChildren();
-si(l(Xl, {}), ht);
+li(l(Yl, {}), ht);
 T(() => {
   ht.dataset.state = Wt.value, ht.dataset.line = U.value, ht.dataset.pen = pe.value === "edit" && F.value.you && !ye.value ? "yes" : "no";
 });
@@ -3253,80 +3253,80 @@ T(() => {
 T(() => {
   Z.value && (document.title = `${Z.value.name} – Lampyris`);
 });
-var Br = 0;
+var zr = 0;
 T(() => {
   let [e, t] = _e.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(Br), Br = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), Br && 60));
+  U.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(zr), zr = window.setTimeout(() => H({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), zr && 60));
 });
-ga();
-Ia();
-Gi();
+ba();
+Aa();
+Xi();
 export {
   _n as Fade,
   gn as Field,
   X as Fragment,
   Be as Gesture,
   G as Icon,
-  xr as Item,
-  Ls as PRESETS,
-  Hr as Range,
-  Fr as Virtual,
+  Sr as Item,
+  Vs as PRESETS,
+  Kr as Range,
+  Nr as Virtual,
   ot as across,
   oe as act,
   I as add,
   dr as adding,
-  dl as allActions,
+  ml as allActions,
   Se as ask,
-  da as asked,
-  Js as back,
+  ma as asked,
+  Zs as back,
   pn as before,
   he as camera,
   Vt as candles,
   le as chosenLamps,
-  Mr as clearSolo,
+  Cr as clearSolo,
   po as closeWhat,
-  Ha as colorText,
+  Ka as colorText,
   ao as command,
   dn as compareHeld,
   de as comparing,
-  Ai as compass,
+  Ri as compass,
   N as computed,
   yr as copyText,
-  Kr as cost,
+  Dr as cost,
   ge as cross,
-  Or as css,
-  rl as cut,
+  Hr as css,
+  il as cut,
   Zn as deselect,
   B as digits,
   at as display,
   He as distance,
   q as dot,
-  sl as each,
+  ll as each,
   Le as edit,
   F as editor,
   T as effect,
   so as exposeBy,
   nr as fade,
-  ul as falseColor,
-  Vs as filterOf,
+  cl as falseColor,
+  Is as filterOf,
   We as fine,
   hn as fitted,
   vn as format,
-  Zs as forth,
+  el as forth,
   fr as frameSelection,
   ro as free,
-  Ll as fromHex,
+  Vl as fromHex,
   Q as go,
   pr as goHome,
-  ol as goInside,
-  nl as goPreset,
+  rl as goInside,
+  ol as goPreset,
   qn as grids,
   D as groups,
-  Xs as handles,
+  Ys as handles,
   Xn as hands,
   xe as hear,
   ne as here,
-  Ra as hex,
+  Oa as hex,
   co as highlight,
   rt as history,
   Qo as houseLights,
@@ -3342,25 +3342,25 @@ export {
   Mt as looks,
   Uo as lumensOf,
   dt as luxText,
-  qs as maintenance,
+  js as maintenance,
   xt as materials,
   Ct as meters,
   qe as middle,
-  Vl as mired,
-  ia as nameOf,
+  Il as mired,
+  aa as nameOf,
   J as normal,
-  al as onTool,
+  sl as onTool,
   st as output,
-  Cl as padWalk,
+  El as padWalk,
   Zo as panels,
   Qn as penless,
   Ae as percent,
-  Dr as pickRow,
+  Fr as pickRow,
   wt as pinhole,
   hr as positionOf,
   tn as project,
-  $s as ray,
-  pl as register,
+  Ls as ray,
+  dl as register,
   pe as role,
   se as say,
   S as scale,
@@ -3368,49 +3368,49 @@ export {
   ze as select,
   P as selection,
   H as send,
-  il as setCut,
+  al as setCut,
   pt as sheet,
   At as show,
   W as shown,
   g as signal,
   er as singleKeys,
-  gl as soloSelection,
+  bl as soloSelection,
   to as spot,
   mr as startTool,
   Te as status,
-  Ws as step,
-  Ys as stepSelection,
-  fl as storeLook,
-  cl as storeView,
+  Bs as step,
+  Qs as stepSelection,
+  pl as storeLook,
+  fl as storeView,
   rr as stroke,
   go as strokeLevel,
   K as sub,
-  Rr as switchOn,
+  Or as switchOn,
   Yo as theme,
   be as things,
   Xe as three,
   eo as titleOf,
-  Lr as toLevel,
-  $r as toTravel,
+  Vr as toLevel,
+  Lr as toTravel,
   br as toggleFalse,
-  Gs as toggleWipe,
+  Xs as toggleWipe,
   z as tool,
   Yn as travel,
   en as turn,
-  Ar as typeGroupLevel,
-  Ir as typeLevel,
+  Rr as typeGroupLevel,
+  Ar as typeLevel,
   Ve as up,
   Ce as useEffect,
-  vs as useLayoutEffect,
+  gs as useLayoutEffect,
   te as useRef,
   Ht as viewName,
   _e as viewSize,
   St as views,
-  La as walkNames,
+  Va as walkNames,
   Jo as walking,
   gr as wantLevel,
   Ye as what,
   Jn as whyNot,
   _r as whyNotTo,
-  Bs as wipeAt
+  zs as wipeAt
 };
