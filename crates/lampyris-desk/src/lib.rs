@@ -12,6 +12,7 @@ mod desk;
 mod door;
 mod edits;
 mod error;
+mod handled;
 mod history;
 mod http;
 mod hub;

@@ -1,6 +1,7 @@
 //! From light to the bytes of a frame, on a thread of its own: while the next batch is traced, a fader that is moved is
 //! seen. Of what is to be shown only the latest is.
 
+use crate::handled::{self, Kept};
 use crate::hub::{CameraText, Hub, Shown};
 use crate::legend::Legend;
 use crate::wire::{Head, Kind};
@@ -97,9 +98,6 @@ pub(crate) struct Frame {
 /// How long hands must rest until frames are made well again.
 const REST: Duration = Duration::from_millis(200);
 
-/// Pixels of a picture that takes longer to be made, sent and drawn than a hand likes to wait: while it moves, half the edges do.
-const LARGE: u32 = 1 << 20;
-
 /// Frames that can be asked about.
 const ASKED: usize = 64;
 
@@ -161,6 +159,7 @@ impl Screen {
 
     /// Makes frames until the end; `metered` is told of an exposure that was found.
     pub(crate) fn run(&self, hub: &Hub, metered: impl Fn(f32)) {
+        let mut kept = Kept::default();
         loop {
             let mut wanted = self.wanted();
             while !wanted.changed && !wanted.ended {
@@ -179,6 +178,7 @@ impl Screen {
             let handled = wanted.handled.is_some_and(|at| at.elapsed() < REST);
             if !handled {
                 wanted.handled = None;
+                kept = Kept::default();
             }
             let (colors, fading) = wanted.mix();
             wanted.changed = fading;
@@ -189,8 +189,8 @@ impl Screen {
                 continue;
             };
             let kind = if handled { Kind::Moving } else { kind };
-            let coarse = kind == Kind::Moving && show.legend.is_none() && is_large(light.size);
-            let size = if coarse { half(light.size) } else { light.size };
+            let quick = handled && show.legend.is_none();
+            let size = if quick { handled::size(light.size) } else { light.size };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced { wanted.seq } else { light.seq };
             wanted.number += 1;
@@ -201,15 +201,12 @@ impl Screen {
             }
             drop(wanted);
             let begun = Instant::now();
-            let mut radiance = still.mix(&colors);
+            let radiance = if quick { kept.mix(&still, &colors) } else { still.mix(&colors) };
             if show.ev.is_none() {
                 let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);
                 self.wanted().show.ev = Some(ev);
                 metered(ev);
-            }
-            if coarse {
-                radiance = halved(&radiance, light.size);
             }
             let painted = show.legend.as_ref().and_then(|legend| {
                 legend.paint(&radiance, light.albedos.as_ref().map(|own| own.as_slice()), light.size)
@@ -255,26 +252,6 @@ impl Screen {
     }
 }
 
-fn is_large([width, height]: [u32; 2]) -> bool {
-    width.saturating_mul(height) > LARGE
-}
-
-fn half(size: [u32; 2]) -> [u32; 2] {
-    size.map(|edge| edge.div_ceil(2))
-}
-
-/// A picture of half the edges: each pixel is the mean of those that were in its place.
-fn halved(radiance: &[Rgb], size: [u32; 2]) -> Vec<Rgb> {
-    let width = size[0] as usize;
-    let mean = |rows: &[Rgb], x: usize| {
-        let block = rows.chunks(width).flat_map(|row| &row[x..width.min(x + 2)]);
-        let (sum, count) = block.fold((Rgb::BLACK, 0.0), |(sum, count), c| (sum + *c, count + 1.0));
-        sum * (1.0 / count)
-    };
-    let pairs = radiance.chunks(2 * width.max(1));
-    pairs.flat_map(|rows| (0..width).step_by(2).map(move |x| mean(rows, x))).collect()
-}
-
 /// JPEG while it is not final, then PNG.
 fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: Kind) -> Option<Vec<u8>> {
     if show.white != Rgb::WHITE {
@@ -303,25 +280,4 @@ fn encode(mut radiance: Vec<Rgb>, [width, height]: [u32; 2], show: &Show, kind: 
     encoder.set_sampling_factor(sampling);
     encoder.encode(pixels, width as u16, height as u16, ColorType::Rgb).ok()?;
     Some(bytes)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Of any size, the mean of a half is that of the whole where blocks are whole, and a block at the rim that of its rest.
-    #[test]
-    fn half_a_picture_is_as_bright_as_all_of_it() {
-        for size in [[1, 1], [2, 2], [5, 3], [6, 4], [7, 8]] {
-            let at = |x: u32, y: u32| Rgb::new(x as f32, y as f32, 1.0);
-            let all: Vec<Rgb> = (0..size[0] * size[1]).map(|k| at(k % size[0], k / size[0])).collect();
-            let (own, [width, height]) = (halved(&all, size), half(size));
-            assert_eq!(own.len(), (width * height) as usize);
-            for (k, mean) in (0..).zip(own) {
-                // Of 2k and 2k + 1, if both are there.
-                let middle = |k: u32, edge: u32| (2 * k + (2 * k + 1).min(edge - 1)) as f32 / 2.0;
-                assert_eq!(mean, Rgb::new(middle(k % width, size[0]), middle(k / width, size[1]), 1.0));
-            }
-        }
-    }
 }
