@@ -192,13 +192,20 @@ const watchLamp = (watched) => watched.evaluate(() => {
         const inside = ([x, y]) => x > x0 + 2 && y > y0 + 2 && x < view.width - x0 - 2 && y < view.height - y0 - 2;
         if (points.length < 3 || !points.every(inside)) return null;
         const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        // Other things may shine too, but not so close.
+        const near = (v, axis, from) => {
+            const at = from + (v + 0.5) * scale;
+            return at > Math.min(...points.map((p) => p[axis])) - 30 && at < Math.max(...points.map((p) => p[axis])) + 30;
+        };
+        const [columns, rows] = [[canvas.width, 0, x0], [canvas.height, 1, y0]].map(([n, axis, from]) => Array.from({ length: n }, (_, v) => near(v, axis, from)));
         let [count, x, y] = [0, 0, 0];
         for (let k = 0; k < canvas.width * canvas.height; k++) {
+            if (!columns[k % canvas.width] || !rows[Math.floor(k / canvas.width)]) continue;
             // By luma: a JPEG has it of each pixel, colour of four together.
             if (0.299 * data[4 * k] + 0.587 * data[4 * k + 1] + 0.114 * data[4 * k + 2] < 242) continue;
             [count, x, y] = [count + 1, x + (k % canvas.width) + 0.5, y + Math.floor(k / canvas.width) + 0.5];
         }
-        if (!count) return null;
+        if (!count) return { gap: Infinity, pixel: scale };
         const [drawn, seen] = [middleOf(points), [x0 + (x / count) * scale, y0 + (y / count) * scale]];
         return { gap: Math.max(Math.abs(drawn[0] - seen[0]), Math.abs(drawn[1] - seen[1])), pixel: scale };
     };
