@@ -207,7 +207,7 @@ const watchLamp = (watched) => watched.evaluate(() => {
         }
         if (!count) return { gap: Infinity, pixel: scale };
         const [drawn, seen] = [middleOf(points), [x0 + (x / count) * scale, y0 + (y / count) * scale]];
-        return { gap: Math.max(Math.abs(drawn[0] - seen[0]), Math.abs(drawn[1] - seen[1])), pixel: scale };
+        return { gap: Math.max(Math.abs(drawn[0] - seen[0]), Math.abs(drawn[1] - seen[1])), pixel: scale, drawn, seen, count };
     };
     window.__gaps = [];
     let last = 0;
@@ -243,11 +243,14 @@ test('what is drawn over the picture stays on the lamp while one walks', { skip 
     await other.page.waitForTimeout(300);
     const gaps = await other.page.evaluate(() => window.__gaps);
     const moving = gaps.filter((own) => own.moving);
+    const middle = gaps.map((own) => own.gap).sort((x, y) => x - y)[gaps.length >> 1];
     const most = (list) => Math.max(...list.map((own) => own.gap)).toFixed(2);
-    t.diagnostic(`${moving.length} frames while walking: at most ${most(moving)} px beside the lamp, median ${gaps.map((own) => own.gap).sort((x, y) => x - y)[gaps.length >> 1].toFixed(2)}; at rest ${most(gaps.filter((own) => !own.moving))}`);
+    t.diagnostic(`${moving.length} frames while walking: at most ${most(moving)} px beside the lamp, median ${middle.toFixed(2)}; at rest ${most(gaps.filter((own) => !own.moving))}`);
     assert.ok(moving.length >= 8 && gaps.length > moving.length, `${moving.length} frames of a walk, ${gaps.length} in all`);
-    // A frame that moves may be coarse, on a slow machine of pixels of 4: its lamp's edges lie on pixels' edges.
-    const far = gaps.filter((own) => own.gap > Math.max(2, 0.6 * own.pixel));
+    // Most of them by far. A frame that moves may be coarse, of pixels of 4 on a slow machine, and a lamp a few of them thin:
+    // then one of its rows more or less is seen.
+    assert.ok(middle < 1.5, `the median is ${middle} px`);
+    const far = gaps.filter((own) => own.gap > Math.max(2, own.pixel));
     assert.deepEqual(far, []);
     await other.page.context().close();
     await own.end();
