@@ -105,7 +105,7 @@ async fn talk(socket: &mut Socket, id: u64, pass: Pass, door: &Door, hub: &Hub, 
             }
             text = mail.recv() => {
                 let Some(text) = text else { return End::Sent(CloseCode::Policy, "this link was revoked, or nothing was read") };
-                if !send(socket, Frame::text(text.as_ref())).await {
+                if !send(socket, Frame::Text(text)).await {
                     return End::Left;
                 }
             }
@@ -116,11 +116,11 @@ async fn talk(socket: &mut Socket, id: u64, pass: Pass, door: &Door, hub: &Hub, 
                 let Some(shown) = frames.borrow_and_update().clone() else { continue };
                 if camera != Some(shown.camera.number) {
                     camera = Some(shown.camera.number);
-                    if !send(socket, Frame::text(shown.camera.text.as_str())).await {
+                    if !send(socket, Frame::Text(shown.camera.text.clone())).await {
                         return End::Left;
                     }
                 }
-                if !send(socket, Frame::binary(shown.bytes.clone())).await {
+                if !send(socket, Frame::Binary(shown.bytes.clone())).await {
                     return End::Left;
                 }
                 sent += 1;

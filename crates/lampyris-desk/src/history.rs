@@ -5,7 +5,7 @@ use crate::patch::Patch;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
-use std::path::PathBuf;
+use std::path::Path;
 
 /// One step of undo.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,7 +18,6 @@ pub(crate) struct Gesture {
 /// The log.
 pub(crate) struct History {
     file: File,
-    path: PathBuf,
     /// Where each gesture begins, and where the last ends [bytes].
     starts: Vec<u64>,
     /// What the last gestures are called that are done and not undone.
@@ -29,18 +28,15 @@ pub(crate) struct History {
 impl History {
     /// An empty log, in a file of its own that goes with it.
     pub(crate) fn new() -> Result<History> {
-        let path = std::env::temp_dir().join(format!("lampyris-undo-{}-{:x}", std::process::id(), {
-            let mut random = [0; 8];
-            getrandom::fill(&mut random)
-                .map_err(|e| Error::System { what: "random numbers", reason: e.to_string() })?;
-            u64::from_le_bytes(random)
-        }));
-        let file = File::options().read(true).write(true).create_new(true).open(&path);
-        let file = file.map_err(|e| Error::System {
-            what: "a file for undo",
-            reason: format!("{}: {e}", path.display()),
-        })?;
-        Ok(History { file, path, starts: vec![0], done: 0, labels: [None, None] })
+        let mut random = [0; 8];
+        getrandom::fill(&mut random)
+            .map_err(|e| Error::System { what: "random numbers", reason: e.to_string() })?;
+        let (own, random) = (std::process::id(), u64::from_le_bytes(random));
+        let path = std::env::temp_dir().join(format!("lampyris-undo-{own}-{random:x}"));
+        let reason = |e: std::io::Error| format!("{}: {e}", path.display());
+        let file =
+            fleeting(&path).map_err(|e| Error::System { what: "a file for undo", reason: reason(e) })?;
+        Ok(History { file, starts: vec![0], done: 0, labels: [None, None] })
     }
 
     /// A gesture more; those that were undone are forgotten.
@@ -106,10 +102,17 @@ impl History {
     }
 }
 
-impl Drop for History {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_file(&self.path);
-    }
+/// A new file of which nothing is left when the program ends, however it ends.
+fn fleeting(path: &Path) -> std::io::Result<File> {
+    let mut options = File::options();
+    options.read(true).write(true).create_new(true);
+    // Windows takes it away with its last handle; elsewhere it needs no name as long as it is open.
+    #[cfg(windows)]
+    std::os::windows::fs::OpenOptionsExt::custom_flags(&mut options, 0x0400_0000);
+    let file = options.open(path)?;
+    #[cfg(not(windows))]
+    std::fs::remove_file(path)?;
+    Ok(file)
 }
 
 #[cfg(test)]
@@ -141,8 +144,15 @@ mod tests {
         assert_eq!((history.redo().unwrap(), history.steps()), (None, 51));
         assert_eq!(history.undo().unwrap(), Some(gesture(1000)));
         assert_eq!(history.undo().unwrap(), Some(gesture(49)));
-        let path = history.path.clone();
-        drop(history);
-        assert!(!path.exists());
+    }
+
+    /// Who kills the program leaves no file behind: it has no name from the first.
+    #[cfg(unix)]
+    #[test]
+    fn nothing_is_left() {
+        let mut history = History::new().unwrap();
+        assert_eq!(std::os::unix::fs::MetadataExt::nlink(&history.file.metadata().unwrap()), 0);
+        history.push(&gesture(0)).unwrap();
+        assert_eq!(history.undo().unwrap(), Some(gesture(0)));
     }
 }

@@ -2,10 +2,12 @@
 //! go, so nothing piles up here.
 
 use crate::door::{Pass, Role};
+use hyper::body::Bytes;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::{mpsc, watch};
+use tokio_tungstenite::tungstenite::Utf8Bytes;
 
 /// Texts that wait for one client at most; who has more waiting does not read.
 const WAITING: usize = 512;
@@ -16,8 +18,8 @@ pub(crate) const CLIENTS: usize = 256;
 /// A picture on its way to all.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
-    /// Head and picture.
-    pub(crate) bytes: Vec<u8>,
+    /// Head and picture, of which all clients share one copy.
+    pub(crate) bytes: Bytes,
     pub(crate) camera: Arc<CameraText>,
 }
 
@@ -25,16 +27,16 @@ pub(crate) struct Shown {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CameraText {
     pub(crate) number: u32,
-    pub(crate) text: String,
+    pub(crate) text: Utf8Bytes,
 }
 
 /// What one client is told.
-pub(crate) type Mail = mpsc::Receiver<Arc<str>>;
+pub(crate) type Mail = mpsc::Receiver<Utf8Bytes>;
 
 #[derive(Clone)]
 struct Client {
     pass: Pass,
-    texts: mpsc::Sender<Arc<str>>,
+    texts: mpsc::Sender<Utf8Bytes>,
 }
 
 /// The clients.
@@ -73,7 +75,7 @@ impl Hub {
     /// To one.
     pub(crate) fn tell(&self, id: u64, message: &Value) {
         let mut clients = self.clients();
-        let text: Arc<str> = message.to_string().into();
+        let text = Utf8Bytes::from(message.to_string());
         if clients.get(&id).is_some_and(|client| client.texts.try_send(text).is_err()) {
             clients.remove(&id);
         }
@@ -81,7 +83,7 @@ impl Hub {
 
     /// To all.
     pub(crate) fn tell_all(&self, message: &Value) {
-        let text: Arc<str> = message.to_string().into();
+        let text = Utf8Bytes::from(message.to_string());
         self.clients().retain(|_, client| client.texts.try_send(text.clone()).is_ok());
     }
 

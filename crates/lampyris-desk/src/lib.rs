@@ -13,6 +13,7 @@ mod desk;
 mod door;
 mod edits;
 mod error;
+mod handled;
 mod history;
 mod http;
 mod hub;

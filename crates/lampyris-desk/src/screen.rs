@@ -1,6 +1,7 @@
 //! From light to the bytes of a frame, on a thread of its own: while the next batch is traced, a fader that is moved is
 //! seen. Of what is to be shown only the latest is.
 
+use crate::handled::{self, Kept};
 use crate::hub::{CameraText, Hub, Shown};
 use crate::legend::Legend;
 use crate::wire::{Head, Kind};
@@ -170,6 +171,7 @@ impl Screen {
 
     /// Makes frames until the end; `metered` is told of an exposure that was found.
     pub(crate) fn run(&self, hub: &Hub, metered: impl Fn(f32)) {
+        let mut kept = Kept::default();
         loop {
             let mut wanted = self.wanted();
             while !wanted.changed && !wanted.ended {
@@ -188,6 +190,7 @@ impl Screen {
             let handled = wanted.handled.is_some_and(|at| at.elapsed() < REST);
             if !handled {
                 wanted.handled = None;
+                kept = Kept::default();
             }
             let (colors, fading) = wanted.mix();
             wanted.changed = fading;
@@ -204,17 +207,23 @@ impl Screen {
                 continue;
             };
             let kind = if handled { Kind::Moving } else { kind };
+            let quick = handled && show.legend.is_none() && !light.melted;
+            let size = if quick { handled::size(light.size) } else { light.size };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced && !light.melted { wanted.seq } else { light.seq };
             wanted.number += 1;
             let number = wanted.number;
-            wanted.frames.push_back((number, Frame { look, size: light.size }));
+            wanted.frames.push_back((number, Frame { look, size }));
             if wanted.frames.len() > ASKED {
                 wanted.frames.pop_front();
             }
             drop(wanted);
             let begun = Instant::now();
-            let radiance = still.mix(if light.melted { &[] } else { &colors });
+            let radiance = match (quick, light.melted) {
+                (_, true) => still.mix(&[]),
+                (true, _) => kept.mix(&still, &colors),
+                (false, _) => still.mix(&colors),
+            };
             if show.ev.is_none() {
                 let ev = Exposure::Auto.ev(&radiance);
                 show.ev = Some(ev);
@@ -233,7 +242,7 @@ impl Screen {
             let false_color = painted.is_some();
             let picture = match painted {
                 Some(painted) => painted.png().ok(),
-                None => encode(radiance, light.size, &show, kind),
+                None => encode(radiance, size, &show, kind),
             };
             let Some(picture) = picture else { continue };
             let lossless = kind == Kind::Final || false_color;
@@ -241,7 +250,7 @@ impl Screen {
                 number,
                 seq,
                 camera: light.camera.number,
-                size: light.size,
+                size,
                 kind,
                 lossless,
                 false_color,
@@ -251,7 +260,7 @@ impl Screen {
                 bytes: begun.elapsed().as_secs_f32(),
             };
             let bytes = [&head.write()[..], &picture].concat();
-            hub.show(Shown { bytes, camera: light.camera });
+            hub.show(Shown { bytes: bytes.into(), camera: light.camera });
             // A fade is not shown more often than a display shows it.
             if fading {
                 std::thread::sleep(Duration::from_millis(25).saturating_sub(begun.elapsed()));

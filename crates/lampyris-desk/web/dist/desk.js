@@ -1,15 +1,15 @@
 // node_modules/preact/dist/preact.mjs
-var C, oi, To, Ne, Co, Rn, ri, Vn, ii, Po, Eo, ms, Bt = /* @__PURE__ */ Symbol.for("pv"), An = {}, Hn = [], hs = /^m(i|n|o|s|text|space)$/, $o = Array.isArray, Lo = Hn.slice, et = Object.assign;
+var C, ii, To, Ne, Co, Rn, ai, Vn, si, Po, Eo, hs, Bt = /* @__PURE__ */ Symbol.for("pv"), An = {}, Hn = [], vs = /^m(i|n|o|s|text|space)$/, $o = Array.isArray, Lo = Hn.slice, et = Object.assign;
 function Ze(e) {
   e && e.parentNode && e.remove();
 }
-function ai(e, t, n) {
+function li(e, t, n) {
   var o, r, i, a = {}, s = arguments.length;
   for (i in t) i == "key" ? o = t[i] : i == "ref" && typeof e != "function" ? r = t[i] : a[i] = t[i];
   return s > 2 && (a.children = s > 3 ? Lo.call(arguments, 2) : n), Wt(e, a, o, r, null);
 }
 function Wt(e, t, n, o, r) {
-  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++oi, __i: -1, __u: 0 };
+  var i = { type: e, props: t, key: n, ref: o, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: Bt, __v: r || ++ii, __i: -1, __u: 0 };
   return !r && C.vnode && C.vnode(i), i;
 }
 function Y(e) {
@@ -23,33 +23,33 @@ function qe(e, t) {
   for (var n; t < e.__k.length; t++) if ((n = e.__k[t]) && n.__e) return n.__e;
   return typeof e.type != "function" || e.props.__P ? null : qe(e);
 }
-function vs(e) {
+function gs(e) {
   var t, n = e.__v, o = n.__e, r = [], i = [], a = e.__P;
-  a && ((t = et({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Vo(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, pi(r, t, i), n.__ = n.__e = null, t.__e != o && si(t));
+  a && ((t = et({ constructor: Bt }, n)).__v = n.__v + 1, C.vnode && C.vnode(t), Vo(a, t, n, e.__n, a.namespaceURI, 32 & n.__u ? [o] : null, r, o || qe(n), 32 & n.__u, i), t.__v = n.__v, t.__.__k[t.__i] = t, mi(r, t, i), n.__ = n.__e = null, t.__e != o && ui(t));
 }
-function si(e) {
+function ui(e) {
   if ((e = e.__) && e.__c && !e.props.__P) return e.__e = null, e.__k.some(function(t) {
     return t && (e.__e = t.__e);
-  }), si(e);
+  }), ui(e);
 }
-function ti(e) {
-  (8 & e.__g || (e.__g |= 8, Ne.push(e), Rn++)) && Co == C.debounceRendering || ((Co = C.debounceRendering) || queueMicrotask)(li);
+function oi(e) {
+  (8 & e.__g || (e.__g |= 8, Ne.push(e), Rn++)) && Co == C.debounceRendering || ((Co = C.debounceRendering) || queueMicrotask)(ci);
 }
-function li() {
+function ci() {
   try {
-    for (var e, t = 1; Ne.length; ) Ne.length > t && Ne.sort(ri), e = Ne.shift(), t = Ne.length, 8 & e.__g && vs(e);
+    for (var e, t = 1; Ne.length; ) Ne.length > t && Ne.sort(ai), e = Ne.shift(), t = Ne.length, 8 & e.__g && gs(e);
   } finally {
-    (Rn = Ne.length) && (Co || queueMicrotask)(li);
+    (Rn = Ne.length) && (Co || queueMicrotask)(ci);
   }
 }
-function ui(e, t, n, o, r, i, a, s, p, u, c) {
+function fi(e, t, n, o, r, i, a, s, p, u, c) {
   var d, m, f, b, y, x, S = o.__k || Hn, w = t.length;
-  for (p = gs(n, t, S, p, w), d = 0; d < w; d++) (f = n.__k[d]) != null && (m = ~f.__i && S[f.__i] || An, f.__i = d, x = Vo(e, f, m, r, i, a, s, p, u, c), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Io(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = ci(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? p = x : b && (p = b.nextSibling), f.__u &= -21);
+  for (p = bs(n, t, S, p, w), d = 0; d < w; d++) (f = n.__k[d]) != null && (m = ~f.__i && S[f.__i] || An, f.__i = d, x = Vo(e, f, m, r, i, a, s, p, u, c), b = f.__e, (m.ref != f.ref || 8 & m.__u) && (m.ref && Io(m.ref, null, f, m), f.ref && c.push(f.ref, f.__c || b, f)), y = y || b, 4 & f.__u ? (p = pi(f, p, e, !m.__v), m.__e && (m.__e = null)) : typeof f.type == "function" && x !== void 0 ? p = x : b && (p = b.nextSibling), f.__u &= -21);
   return n.__e = y, p;
 }
-function gs(e, t, n, o, r) {
+function bs(e, t, n, o, r) {
   var i, a, s, p, u, c, d, m, f, b = n.length, y = b, x = 0, S = 0, w = e.__k = Array(r);
-  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = w[i] = Wt(null, a) : $o(a) ? a = w[i] = Wt(Y, { children: a }) : a.constructor === Bt && a.__b ? a = w[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : w[i] = a, p = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(u = a.__i = bs(a, n, p, y)) && (y--, (s = n[u]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, u == p - 1 ? x-- : u == p + 1 ? x++ : u != p && (u > p ? x-- : x++, S = 1)) : (~u || (r > b ? x-- : r < b && x++), typeof a.type != "function" && (a.__u |= 4))) : w[i] = null;
+  for (i = 0; i < r; i++) (a = t[i]) != null && typeof a != "boolean" && typeof a != "function" ? (typeof a != "object" || a.constructor === String ? a = w[i] = Wt(null, a) : $o(a) ? a = w[i] = Wt(Y, { children: a }) : a.constructor === Bt && a.__b ? a = w[i] = Wt(a.type, a.props, a.key, a.ref, a.__v) : w[i] = a, p = i + x, a.__ = e, a.__b = e.__b + 1, s = null, ~(u = a.__i = ys(a, n, p, y)) && (y--, (s = n[u]) && (s.__u |= 2)), s && s.__v ? (a.__u |= 16, u == p - 1 ? x-- : u == p + 1 ? x++ : u != p && (u > p ? x-- : x++, S = 1)) : (~u || (r > b ? x-- : r < b && x++), typeof a.type != "function" && (a.__u |= 4))) : w[i] = null;
   if (S) {
     for (c = [], d = [], i = 0; i < r; i++) if ((a = w[i]) && 16 & a.__u) {
       for (x = 0, m = c.length; x < m; ) c[f = x + m >> 1] < a.__i ? x = f + 1 : m = f;
@@ -60,18 +60,18 @@ function gs(e, t, n, o, r) {
   if (y) for (i = 0; i < b; i++) !(s = n[i]) || 2 & s.__u || (s.__e == o && (o = qe(s)), Ro(s, s));
   return o;
 }
-function ci(e, t, n, o) {
+function pi(e, t, n, o) {
   var r, i, a, s;
   if (typeof e.type == "function") {
     if (e.props.__P) return t;
-    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = ci(r[i], t, n, !1));
+    if (r = e.__k) for (i = 0; i < r.length; i++) r[i] && (r[i].__ = e, t = pi(r[i], t, n, !1));
     return t;
   }
   for (t && !t.parentNode && (t = qe(e)) && !t.parentNode && (t = null), a = e.__e, s = t; s && s.nodeType == 8; ) s = s.nextSibling;
   for (a != s && (!o && n.moveBefore && a.parentNode ? n.moveBefore(a, t) : n.insertBefore(a, t || null)), t = a; (t = t && t.nextSibling) && t.nodeType == 8 && !t.data.startsWith("$s"); ) ;
   return t;
 }
-function bs(e, t, n, o) {
+function ys(e, t, n, o) {
   var r, i = e.key, a = e.type, s = t[n], p = s && !(2 & s.__u);
   if (s === null && i == null || p && i == s.key && a == s.type) return n;
   if (o > (p ? 1 : 0)) {
@@ -80,17 +80,17 @@ function bs(e, t, n, o) {
   }
   return -1;
 }
-function ni(e, t, n) {
+function ri(e, t, n) {
   n == null && (n = ""), t[0] == "-" ? e.setProperty(t, n) : e[t] = n;
 }
 function Ln(e, t, n, o, r) {
   var i, a;
   if (t == "style") if (typeof n == "string") e.style.cssText = n;
   else {
-    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || ni(e.style, t);
-    if (n) for (t in n) o && n[t] == o[t] || ni(e.style, t, n[t]);
+    if (typeof o == "string" && (e.style.cssText = o = ""), o) for (t in o) n && t in n || ri(e.style, t);
+    if (n) for (t in n) o && n[t] == o[t] || ri(e.style, t, n[t]);
   }
-  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Eo[t] || (Eo[t] = ys(t)), (e.__a || (e.__a = {}))[t] = Po, i = t != (t = t.replace(ii, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
+  else if (t[0] == "o" && t[1] == "n") typeof n != "function" && (n = null), typeof o != "function" && (o = null), (e.__e || (e.__e = {}))[t] = n, n && o || (a = Eo[t] || (Eo[t] = _s(t)), (e.__a || (e.__a = {}))[t] = Po, i = t != (t = t.replace(si, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), n ? e.addEventListener(t, a, i) : e.removeEventListener(t, a, i));
   else {
     if (r == "http://www.w3.org/2000/svg") t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
     else if (t != "width" && t != "height" && t != "href" && t != "list" && t != "form" && t != "tabIndex" && t != "download" && t != "rowSpan" && t != "colSpan" && t != "role" && t != "popover" && t in e) try {
@@ -101,7 +101,7 @@ function Ln(e, t, n, o, r) {
     n == null || n === !1 && t[4] != "-" ? e.removeAttribute(t) : e.setAttribute(t, t == "popover" && n == 1 ? "" : n);
   }
 }
-function ys(e) {
+function _s(e) {
   return function(t) {
     var n = this.__e;
     if (n) {
@@ -118,7 +118,7 @@ function Vo(e, t, n, o, r, i, a, s, p, u) {
   e: if (typeof P == "function") {
     m = a.length;
     try {
-      if (S = t.props, w = (c = P.prototype) && c.render, M = (c = P.contextType) && o[c.__c], I = c ? M ? M.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (w ? t.__c = f = new P(S, I) : (t.__c = f = new vt(S, I), f.constructor = P, f.render = ws), M && M.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), w && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, P.getDerivedStateFromProps(S, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
+      if (S = t.props, w = (c = P.prototype) && c.render, M = (c = P.contextType) && o[c.__c], I = c ? M ? M.props.value : c.__ : o, (f = n.__c) ? (t.__c = f, 2 & f.__g && (f.__g |= 1)) : (w ? t.__c = f = new P(S, I) : (t.__c = f = new vt(S, I), f.constructor = P, f.render = ks), M && M.sub(f), f.state || (f.state = {}), f.__n = o, f.__g |= 8, f.__h = [], f.__k = []), w && (f.__s || (f.__s = f.state), P.getDerivedStateFromProps && (f.__s == f.state && (f.__s = et({}, f.__s)), et(f.__s, P.getDerivedStateFromProps(S, f.__s)))), b = f.props, y = f.state, f.__v = t, n.__c) {
         if (S !== b && w && !P.getDerivedStateFromProps && f.componentWillReceiveProps && f.componentWillReceiveProps(S, I), t.__v == n.__v && !(8 & f.__g) || !(4 & f.__g) && f.shouldComponentUpdate && f.shouldComponentUpdate(S, f.__s, I) === !1) {
           t.__v != n.__v && (f.props = S, f.state = f.__s, f.__g &= -9), t.__e = n.__e, t.__k = n.__k, t.__k.some(function($) {
             $ && ($.__ = t);
@@ -135,7 +135,7 @@ function Vo(e, t, n, o, r, i, a, s, p, u) {
       while (8 & f.__g && ++Je < 25);
       w && (Hn.push.apply(f.__h, f.__k), f.__k = []), f.state = f.__s, f.getChildContext && (o = et({}, o, f.getChildContext())), w && n.__c && f.getSnapshotBeforeUpdate && (x = f.getSnapshotBeforeUpdate(b, y)), fe = c && c.type === Y && c.key == null ? c.props.children : c, S.__P && (c = s, r = (e = S.__P).namespaceURI, p = i = null, n.props && n.props.__P != e && (n.__k.some(function($) {
         $ && Ro($, $);
-      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = ui(e, $o(fe) ? fe : [fe], t, n, o, r, i, a, s, p, u), S.__P && (t.__e = null, s = c), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
+      }), n.__k = null), s = n.__k ? qe(n, 0) : null), s = fi(e, $o(fe) ? fe : [fe], t, n, o, r, i, a, s, p, u), S.__P && (t.__e = null, s = c), t.__u &= -161, d && d.some(Ze), f.__h.length && a.push(f), 1 & f.__g && (f.__g &= -4);
     } catch ($) {
       if (a.length = m, t.__v = null, p || i) if ($ && $.then) {
         if (t.__u |= 128 | p, i) {
@@ -154,9 +154,9 @@ function Vo(e, t, n, o, r, i, a, s, p, u) {
         (c = In(ve = t.__c.__z || (t.__c.__z = ve))) ? (t.__e = ve, s = c) : t.__e = s, s = s && s.nextSibling;
       } else i && i.some(Ze);
       else t.__e = n.__e;
-      t.__k || (t.__k = n.__k || []), $ && $.then || fi(t), C.__e($, t, n);
+      t.__k || (t.__k = n.__k || []), $ && $.then || di(t), C.__e($, t, n);
     }
-  } else s = t.__e = _s(n.__e, t, n, o, r, i, a, p, u, e);
+  } else s = t.__e = ws(n.__e, t, n, o, r, i, a, p, u, e);
   return (c = C.diffed) && c(t), s;
 }
 function In(e, t) {
@@ -168,10 +168,10 @@ function In(e, t) {
     t && t.push(e);
   }
 }
-function fi(e) {
-  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(fi));
+function di(e) {
+  e && (e.__c && (e.__c.__g |= 4), e.__k && e.__k.some(di));
 }
-function pi(e, t, n) {
+function mi(e, t, n) {
   for (var o = 0; o < n.length; ) Io(n[o++], n[o++], n[o++]);
   C.__c && C.__c(t, e), e.some(function(r) {
     try {
@@ -183,7 +183,7 @@ function pi(e, t, n) {
     }
   });
 }
-function _s(e, t, n, o, r, i, a, s, p, u) {
+function ws(e, t, n, o, r, i, a, s, p, u) {
   var c, d, m, f, b, y, x, S, w = n.props || An, M = t.props, I = t.type;
   if (I == "svg" ? r = "http://www.w3.org/2000/svg" : I == "math" ? r = "http://www.w3.org/1998/Math/MathML" : r || (r = "http://www.w3.org/1999/xhtml"), i) {
     for (c = 0; c < i.length; c++) if ((b = i[c]) && (I ? b.localName == I : b.nodeType == 3)) {
@@ -199,7 +199,7 @@ function _s(e, t, n, o, r, i, a, s, p, u) {
     if (u = I == "template" && e.content || e, i = I == "textarea" && M.defaultValue != null ? null : i && Lo.call(u.childNodes), !s && i) for (w = {}, c = 0; c < e.attributes.length; c++) w[(b = e.attributes[c]).name] = b.value;
     for (c in w) b = w[c], c == "dangerouslySetInnerHTML" ? m = b : c == "children" || c in M || c == "value" && "defaultValue" in M || c == "checked" && "defaultChecked" in M || Ln(e, c, null, b, r);
     for (c in M) b = M[c], c == "children" ? f = b : c == "dangerouslySetInnerHTML" ? d = b : c == "value" ? y = b : c == "checked" ? x = b : s && typeof b != "function" || w[c] === b || Ln(e, c, b, w[c], r);
-    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (I == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && hs.test(I)) && (r = "http://www.w3.org/1999/xhtml"), ui(u, $o(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(Ze)), s && I != "textarea" || (c = "value", I == "progress" && y == null ? e.removeAttribute(c) : y == null || y === e[c] && (I != "progress" || y) || Ln(e, c, y, w[c], r), c = "checked", x != null && x != e[c] && Ln(e, c, x, w[c], r));
+    d ? (s || m && (d.__html == m.__html || d.__html == e.innerHTML) || (e.innerHTML = d.__html), t.__k = []) : (m && (e.textContent = ""), (I == "foreignObject" || r == "http://www.w3.org/1998/Math/MathML" && vs.test(I)) && (r = "http://www.w3.org/1999/xhtml"), fi(u, $o(f) ? f : [f], t, n, o, r, i, a, i ? i[0] : n.__k && qe(n, 0), s, p), i && i.some(Ze)), s && I != "textarea" || (c = "value", I == "progress" && y == null ? e.removeAttribute(c) : y == null || y === e[c] && (I != "progress" || y) || Ln(e, c, y, w[c], r), c = "checked", x != null && x != e[c] && Ln(e, c, x, w[c], r));
   } else w === M || s && e.data == M || (e.data = M);
   return e;
 }
@@ -223,12 +223,12 @@ function Ro(e, t, n) {
   if (o = e.__k) for (a = 0; a < o.length; a++) o[a] && Ro(o[a], t, typeof e.type != "function" || n && !e.props.__P);
   !n && (o = e.__c) && (o = o.__z) && (r = In(o, i = [])) && (o == e.__e && i.some(Ze), Ze(r), Ze(o)), n || Ze(e.__e), e.__e = e.__c = e.__ = null;
 }
-function ws(e, t, n) {
+function ks(e, t, n) {
   return this.constructor(e, n);
 }
-function di(e, t) {
+function hi(e, t) {
   var n, o, r, i;
-  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(Y, { children: [e] }), r = [], i = [], Vo(t, t.__k, o || An, An, t.namespaceURI, o ? null : t.firstChild ? Lo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), pi(r, t.__k, i), t.__k.props.children = null;
+  C.__ && C.__(e, t), t.nodeType == 9 && (t = t.documentElement), o = (n = e && 32 & e.__u) ? null : t.__k, t.__k = Wt(Y, { children: [e] }), r = [], i = [], Vo(t, t.__k, o || An, An, t.namespaceURI, o ? null : t.firstChild ? Lo.call(t.childNodes) : null, r, o ? o.__e : t.firstChild, n, i), mi(r, t.__k, i), t.__k.props.children = null;
 }
 C = { __e: function(e, t, n, o) {
   for (var r, i, a; t = t.__; ) if ((r = t.__c) && !(1 & r.__g)) {
@@ -240,19 +240,19 @@ C = { __e: function(e, t, n, o) {
     }
   }
   throw Rn = 0, e;
-} }, oi = 0, To = function(e) {
+} }, ii = 0, To = function(e) {
   return e != null && e.constructor === Bt;
 }, vt.prototype.setState = function(e, t) {
   var n = this.__s;
-  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), ti(this)));
+  n && n != this.state || (n = this.__s = et({}, this.state)), typeof e == "function" && (e = e(et({}, n), this.props)), e && (et(n, e), this.__v && (t && this.__k.push(t), oi(this)));
 }, vt.prototype.forceUpdate = function(e) {
-  this.__v && (this.__g |= 4, e && this.__h.push(e), ti(this));
-}, vt.prototype.render = Y, Ne = [], Rn = 0, ri = function(e, t) {
+  this.__v && (this.__g |= 4, e && this.__h.push(e), oi(this));
+}, vt.prototype.render = Y, Ne = [], Rn = 0, ai = function(e, t) {
   return e.__v.__b - t.__v.__b;
-}, Vn = /* @__PURE__ */ Symbol(), ii = /(PointerCapture)$|Capture$/i, Po = 0, Eo = {}, ms = 0;
+}, Vn = /* @__PURE__ */ Symbol(), si = /(PointerCapture)$|Capture$/i, Po = 0, Eo = {}, hs = 0;
 
 // node_modules/preact/hooks/dist/hooks.mjs
-var zt, re, Ao, mi, ks = Object.is, Ho = 0, xi = [], Ko = [], U = C, hi = U.__b, vi = U.__r, gi = U.diffed, bi = U.__c, yi = U.unmount, _i = U.__;
+var zt, re, Ao, vi, xs = Object.is, Ho = 0, Mi = [], Ko = [], U = C, gi = U.__b, bi = U.__r, yi = U.diffed, _i = U.__c, wi = U.unmount, ki = U.__;
 function Do(e, t) {
   U.__h && U.__h(re, e, Ho || t), Ho = 0;
   var n = re.__H || (re.__H = { __: [], __h: [] });
@@ -262,7 +262,7 @@ function Ce(e, t) {
   var n = Do(zt++, 3);
   !U.__s && Fo(n.__H, t) && (n.__P = !0, n.__ = e, n.u = t, re.__H.__h.push(n));
 }
-function xs(e, t) {
+function Ss(e, t) {
   var n = Do(zt++, 4);
   !U.__s && Fo(n.__H, t) && (n.__P = !1, n.__ = e, n.u = t, re.__h.push(n));
 }
@@ -275,7 +275,7 @@ function Kn(e, t) {
   var n = Do(zt++, 7);
   return Fo(n.__H, t) && (n.__ = e(), n.__H = t), n.__;
 }
-function Ss() {
+function Ms() {
   var e;
   do {
     for (; e = Ko.shift(); ) try {
@@ -283,7 +283,7 @@ function Ss() {
     } catch (n) {
       U.__e(n, { __: (e = e.__P) && e.__v });
     }
-    for (; e = xi.shift(); ) {
+    for (; e = Mi.shift(); ) {
       var t = e.__H;
       if (e.__P && t) try {
         t.__h.some(Gt), t.__h.some(Oo), t.__h = [];
@@ -294,19 +294,19 @@ function Ss() {
   } while (Ko.length);
 }
 U.__b = function(e) {
-  re = null, hi && hi(e);
+  re = null, gi && gi(e);
 }, U.__ = function(e, t) {
-  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), _i && _i(e, t);
+  e && t.__k && t.__k.__m && (e.__m = t.__k.__m), ki && ki(e, t);
 }, U.__r = function(e) {
-  vi && vi(e), zt = 0;
+  bi && bi(e), zt = 0;
   var t = (re = e.__c).__H;
   t && (Ao == re ? re.__h = [] : (t.__h.some(Gt), t.__h.some(Oo), zt = 0), t.__h = [], t.__.some(function(n) {
     n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
   })), Ao = re;
 }, U.diffed = function(e) {
-  gi && gi(e);
+  yi && yi(e);
   var t = e.__c;
-  t && t.__H && (t.__H.__h.length && ki(xi.push(t)), t.__H.__.some(function(n) {
+  t && t.__H && (t.__H.__h.length && Si(Mi.push(t)), t.__H.__.some(function(n) {
     n.u && (n.__H = n.u);
   })), Ao = re = null;
 }, U.__c = function(e, t) {
@@ -320,9 +320,9 @@ U.__b = function(e) {
         throw o;
       }];
     }
-  }), bi && bi(e, t);
+  }), _i && _i(e, t);
 }, U.unmount = function(e) {
-  yi && yi(e);
+  wi && wi(e);
   var t, n, o = e.__c;
   o && o.__H && (o.__H.__.some(function(r) {
     try {
@@ -331,22 +331,22 @@ U.__b = function(e) {
           for (n = e.__; n && (!n.__c || !n.__c.__P); ) n = n.__;
           n = n && n.__c;
         }
-        r.__P = n, ki(Ko.push(r));
+        r.__P = n, Si(Ko.push(r));
       } else Gt(r);
     } catch (i) {
       t = i;
     }
   }), o.__H = void 0, t && U.__e(t, o.__v));
 };
-var wi = typeof requestAnimationFrame == "function";
-function Ms(e) {
+var xi = typeof requestAnimationFrame == "function";
+function Cs(e) {
   var t, n = function() {
-    clearTimeout(o), wi && cancelAnimationFrame(t), setTimeout(e);
+    clearTimeout(o), xi && cancelAnimationFrame(t), setTimeout(e);
   }, o = setTimeout(n, 35);
-  wi && (t = requestAnimationFrame(n));
+  xi && (t = requestAnimationFrame(n));
 }
-function ki(e) {
-  e != 1 && mi == U.requestAnimationFrame || ((mi = U.requestAnimationFrame) || Ms)(Ss);
+function Si(e) {
+  e != 1 && vi == U.requestAnimationFrame || ((vi = U.requestAnimationFrame) || Cs)(Ms);
 }
 function Gt(e) {
   var t = re, n = e.__c;
@@ -358,12 +358,12 @@ function Oo(e) {
 }
 function Fo(e, t) {
   return !e || e.length != t.length || t.some(function(n, o) {
-    return !ks(n, e[o]);
+    return !xs(n, e[o]);
   });
 }
 
 // node_modules/@preact/signals-core/dist/signals-core.module.js
-var Cs = /* @__PURE__ */ Symbol.for("preact-signals");
+var Es = /* @__PURE__ */ Symbol.for("preact-signals");
 function Nn() {
   if (Ae > 1)
     Ae--;
@@ -380,7 +380,7 @@ function Nn() {
       var n = Yt;
       for (Yt = void 0, On++; n !== void 0; ) {
         var o = n.u;
-        if (n.u = void 0, n.f &= -3, !(8 & n.f) && Mi(n)) try {
+        if (n.u = void 0, n.f &= -3, !(8 & n.f) && Ei(n)) try {
           n.c();
         } catch (r) {
           t || (e = r, t = !0);
@@ -393,7 +393,7 @@ function Nn() {
 }
 function qn(e) {
   if (Ae > 0) return e();
-  No = ++Es, Ae++;
+  No = ++Ts, Ae++;
   try {
     return e();
   } finally {
@@ -410,8 +410,8 @@ function ue(e) {
     H = t, Xt = n;
   }
 }
-var Yt = void 0, Ae = 0, On = 0, Es = 0, No = 0, Dn = void 0, Fn = 0;
-function Si(e) {
+var Yt = void 0, Ae = 0, On = 0, Ts = 0, No = 0, Dn = void 0, Fn = 0;
+function Ci(e) {
   if (H !== void 0) {
     var t = e.n;
     if (t === void 0 || t.t !== H)
@@ -423,7 +423,7 @@ function Si(e) {
 function Q(e, t) {
   this.v = e, this.i = 0, this.n = void 0, this.t = void 0, this.l = 0, this.W = t?.watched, this.Z = t?.unwatched, this.name = t?.name;
 }
-Q.prototype.brand = Cs;
+Q.prototype.brand = Es;
 Q.prototype.h = function() {
   return !0;
 };
@@ -469,7 +469,7 @@ Q.prototype.peek = function() {
   });
 };
 Object.defineProperty(Q.prototype, "value", { get: function() {
-  var e = Si(this);
+  var e = Ci(this);
   return e !== void 0 && (e.i = this.i), this.v;
 }, set: function(e) {
   if (e !== this.v) {
@@ -487,11 +487,11 @@ Object.defineProperty(Q.prototype, "value", { get: function() {
 function g(e, t) {
   return new Q(e, t);
 }
-function Mi(e) {
+function Ei(e) {
   for (var t = e.s; t !== void 0; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
   return !1;
 }
-function Ci(e) {
+function Ti(e) {
   for (var t = e.s; t !== void 0; t = t.n) {
     var n = t.S.n;
     if (n !== void 0 && (t.r = n), t.S.n = t, t.i = -1, t.n === void 0) {
@@ -500,7 +500,7 @@ function Ci(e) {
     }
   }
 }
-function Ei(e) {
+function Pi(e) {
   for (var t = e.s, n = void 0; t !== void 0; ) {
     var o = t.p;
     t.i === -1 ? (t.S.U(t), o !== void 0 && (o.n = t.n), t.n !== void 0 && (t.n.p = o)) : n = t, t.S.n = t.r, t.r !== void 0 && (t.r = void 0), t = o;
@@ -514,17 +514,17 @@ tt.prototype = new Q();
 tt.prototype.h = function() {
   if (this.f &= -3, 1 & this.f) return !1;
   if ((36 & this.f) == 32 || (this.f &= -5, this.g === Fn)) return !0;
-  if (this.g = Fn, this.f |= 1, this.i > 0 && !Mi(this))
+  if (this.g = Fn, this.f |= 1, this.i > 0 && !Ei(this))
     return this.f &= -2, !0;
   var e = H;
   try {
-    Ci(this), H = this;
+    Ti(this), H = this;
     var t = this.x();
     (16 & this.f || this.v !== t || this.i === 0) && (this.v = t, this.f &= -17, this.i++);
   } catch (n) {
     this.v = n, this.f |= 16, this.i++;
   }
-  return H = e, Ei(this), this.f &= -2, !0;
+  return H = e, Pi(this), this.f &= -2, !0;
 };
 tt.prototype.S = function(e) {
   if (this.t === void 0) {
@@ -547,14 +547,14 @@ tt.prototype.N = function() {
 };
 Object.defineProperty(tt.prototype, "value", { get: function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  var e = Si(this);
+  var e = Ci(this);
   if (this.h(), e !== void 0 && (e.i = this.i), 16 & this.f) throw this.v;
   return this.v;
 } });
 function N(e, t) {
   return new tt(e, t);
 }
-function Ti(e) {
+function $i(e) {
   var t = e.j;
   if (e.j = void 0, typeof t == "function") {
     Ae++;
@@ -571,11 +571,11 @@ function Ti(e) {
 }
 function qo(e) {
   for (var t = e.s; t !== void 0; t = t.n) t.S.U(t);
-  e.x = void 0, e.s = void 0, Ti(e);
+  e.x = void 0, e.s = void 0, $i(e);
 }
-function Ts(e) {
+function Ps(e) {
   if (H !== this) throw new Error("Out-of-order effect");
-  Ei(this), H = e, this.f &= -2;
+  Pi(this), H = e, this.f &= -2;
   try {
     8 & this.f && qo(this);
   } finally {
@@ -597,9 +597,9 @@ gt.prototype.c = function() {
 };
 gt.prototype.S = function() {
   if (1 & this.f) throw new Error("Cycle detected");
-  this.f |= 1, this.f &= -9, Ti(this), Ci(this), Ae++;
+  this.f |= 1, this.f &= -9, $i(this), Ti(this), Ae++;
   var e = H;
-  return H = this, Ts.bind(this, e);
+  return H = this, Ps.bind(this, e);
 };
 gt.prototype.N = function() {
   2 & this.f || (this.f |= 2, this.u = Yt, Yt = this);
@@ -622,7 +622,7 @@ function L(e, t) {
 }
 
 // node_modules/@preact/signals/dist/signals.module.js
-var Uo, Jt, Un, Ps = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Pi = [], $i = [];
+var Uo, Jt, Un, $s = typeof window < "u" && !!window.__PREACT_SIGNALS_DEVTOOLS__, Li = [], Vi = [];
 L(function() {
   Uo = this.N;
 })();
@@ -637,7 +637,7 @@ function Qt(e) {
   }
   Un = e && e.S();
 }
-function Li(e) {
+function Ii(e) {
   var t = this, n = e.data, o = nt(n);
   o.name = "ReactiveDom", o.value = n;
   var r = Kn(function() {
@@ -651,7 +651,7 @@ function Li(e) {
     }), c = N(function() {
       return !Array.isArray(u.value) && !To(u.value);
     }), d = L(function() {
-      if (this.N = Vi, c.value) {
+      if (this.N = Ri, c.value) {
         var f = u.value;
         s.__v && s.__v.__e && s.__v.__e.nodeType === 3 && (s.__v.__e.data = f);
       }
@@ -662,8 +662,8 @@ function Li(e) {
   }, []), i = r[0], a = r[1];
   return i.value ? a.peek() : a.value;
 }
-Li.displayName = "ReactiveTextNode";
-Object.defineProperties(Q.prototype, { constructor: { configurable: !0, value: ai(Y, null).constructor }, type: { configurable: !0, value: Li }, props: { configurable: !0, get: function() {
+Ii.displayName = "ReactiveTextNode";
+Object.defineProperties(Q.prototype, { constructor: { configurable: !0, value: li(Y, null).constructor }, type: { configurable: !0, value: Ii }, props: { configurable: !0, get: function() {
   var e = this;
   return { data: { get value() {
     return e.value;
@@ -691,7 +691,7 @@ bt("__r", function(e, t) {
     })(/* @__PURE__ */ (function(r) {
       return function() {
         var i;
-        Ps && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
+        $s && ((i = this.y) == null || i.call(this)), r.__$f |= 1, r.setState({});
       };
     })(o), typeof t.type == "function" ? t.type.displayName || t.type.name : ""))), Jt = o, Qt(n);
   }
@@ -712,18 +712,18 @@ bt("diffed", function(e, t) {
       i || (i = {}, n.U = i);
       for (var p in o) {
         var u = i[p], c = o[p];
-        u === void 0 ? (u = $s(n, p, c, r), i[p] = u) : u.o(c, r);
+        u === void 0 ? (u = Ls(n, p, c, r), i[p] = u) : u.o(c, r);
       }
     }
   }
   e(t);
 });
-function $s(e, t, n, o) {
+function Ls(e, t, n, o) {
   var r = t in e && e.ownerSVGElement === void 0, i = g(n);
   return { o: function(a, s) {
     i.value = a, o = s;
   }, d: L(function() {
-    this.N = Vi;
+    this.N = Ri;
     var a = i.value.value;
     o[t] !== a && (o[t] = a, r ? e[t] = a : a != null && (a !== !1 || t[4] === "-") ? e.setAttribute(t, a) : e.removeAttribute(t));
   }) };
@@ -777,38 +777,38 @@ function nt(e, t) {
     return g(e, t);
   }, []);
 }
-var Ls = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
+var Vs = typeof requestAnimationFrame > "u" ? setTimeout : function(e) {
   var t = function() {
     clearTimeout(n), cancelAnimationFrame(o), e();
   }, n = setTimeout(t, 35), o = requestAnimationFrame(t);
-}, Vs = function(e) {
+}, Is = function(e) {
   queueMicrotask(function() {
     queueMicrotask(e);
   });
 };
-function Is() {
-  qn(function() {
-    for (var e; e = Pi.shift(); ) Uo.call(e);
-  });
-}
 function Rs() {
-  Pi.push(this) === 1 && (C.requestAnimationFrame || Ls)(Is);
+  qn(function() {
+    for (var e; e = Li.shift(); ) Uo.call(e);
+  });
 }
 function As() {
+  Li.push(this) === 1 && (C.requestAnimationFrame || Vs)(Rs);
+}
+function Hs() {
   qn(function() {
-    for (var e; e = $i.shift(); ) Uo.call(e);
+    for (var e; e = Vi.shift(); ) Uo.call(e);
   });
 }
-function Vi() {
-  $i.push(this) === 1 && (C.requestAnimationFrame || Vs)(As);
+function Ri() {
+  Vi.push(this) === 1 && (C.requestAnimationFrame || Is)(Hs);
 }
-function Ii(e, t) {
+function Ai(e, t) {
   var n = ne(e);
   n.current = e;
   var o = Jt;
   Ce(function() {
     return L(function() {
-      if (this.N = Rs, !(o && 8 & o.__$f)) return n.current();
+      if (this.N = As, !(o && 8 & o.__$f)) return n.current();
     }, t);
   }, []);
 }
@@ -818,7 +818,7 @@ var V = (e, t) => [e[0] + t[0], e[1] + t[1], e[2] + t[2]], O = (e, t) => [e[0] -
   e[1] * t[2] - e[2] * t[1],
   e[2] * t[0] - e[0] * t[2],
   e[0] * t[1] - e[1] * t[0]
-], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(O(e, t)), Hs = (e, t, n) => V(_(e, 1 - n), _(t, n));
+], be = (e) => Math.hypot(e[0], e[1], e[2]), He = (e, t) => be(O(e, t)), Ks = (e, t, n) => V(_(e, 1 - n), _(t, n));
 function ee(e, t = [0, 0, 1]) {
   let n = be(e);
   return n > 1e-12 ? _(e, 1 / n) : t;
@@ -838,7 +838,7 @@ function yt([e, t]) {
     o & 4 ? t[2] : e[2]
   ]);
 }
-var Ue = ([e, t]) => Hs(e, t, 0.5);
+var Ue = ([e, t]) => Ks(e, t, 0.5);
 
 // src/camera.ts
 var jo = Math.PI / 180, jn = 89 * jo;
@@ -850,26 +850,26 @@ function en(e, t) {
   let n = O(t, e.eye), o = q(n, e.forward), r = e.parallel ? e.pixel : e.pixel * o;
   return [e.width / 2 + q(n, e.side) / r, e.height / 2 - q(n, e.up) / r, o];
 }
-function Ks(e, t, n) {
+function Os(e, t, n) {
   let o = (t - e.width / 2) * e.pixel, r = (e.height / 2 - n) * e.pixel, i = V(_(e.side, o), _(e.up, r));
   return e.parallel ? { origin: V(e.eye, i), direction: e.forward } : { origin: e.eye, direction: ee(V(e.forward, i)) };
 }
-function Ri(e, t, n, o) {
+function Hi(e, t, n, o) {
   let r = O(e.target, e.eye), i = Math.max(be(r), 1e-3), a = Math.asin(Math.max(-1, Math.min(1, q(ee(r), t)))), s = O(r, _(t, q(r, t))), p = ee(be(s) > 1e-6 * i ? s : O(e.up, _(t, q(e.up, t))), ot(t)), u = Math.max(-jn, Math.min(jn, a + o)), c = Zt(p, t, n), d = V(_(c, Math.cos(u)), _(t, Math.sin(u)));
   return { ...e, up: t, target: V(e.eye, _(d, i)) };
 }
-function Ai(e, t, n, o, r) {
+function Ki(e, t, n, o, r) {
   let i = O(e.target, e.eye), a = O(i, _(t, q(i, t))), s = ee(be(a) > 1e-6 ? a : e.up, ot(t)), p = ee(ge(s, t)), u = V(V(_(s, n), _(p, o)), _(t, r));
   return Ke(e, u);
 }
-function Hi(e, t, n, o, r) {
+function Oi(e, t, n, o, r) {
   let i = ee(O(e.target, e.eye)), a = ee(ge(i, e.up), ot(i));
   return Ke(e, V(V(_(i, n), _(a, o)), _(t, r)));
 }
 function Ke(e, t) {
   return { ...e, eye: V(e.eye, t), target: V(e.target, t) };
 }
-function Ki(e, t, n, o, r) {
+function Di(e, t, n, o, r) {
   let i = ee(O(e.target, e.eye)), a = Math.asin(Math.max(-1, Math.min(1, q(i, t)))), s = Math.max(-jn, Math.min(jn, a + r)), p = ee(ge(i, t), ee(ge(i, e.up), ot(i))), u = (c) => Zt(Zt(c, p, s - a), t, o);
   return {
     ...e,
@@ -878,7 +878,7 @@ function Ki(e, t, n, o, r) {
     target: V(n, u(O(e.target, n)))
   };
 }
-function Oi(e, t, n, o, r) {
+function Fi(e, t, n, o, r) {
   let i = t.parallel ? t.pixel : t.pixel * r;
   return Ke(e, V(_(t.side, -n * i), _(t.up, o * i)));
 }
@@ -895,7 +895,7 @@ function Bn(e, t, n, o, r) {
   );
   return { ...Ke(e, s), height: i };
 }
-function Di(e, t, n = 0.4) {
+function Ni(e, t, n = 0.4) {
   let o = Ue(t), r = Math.max(He(t[0], t[1]) / 2, 0.5), i = ee(O(e.eye, e.target));
   if (e.height) {
     let s = q(O(e.eye, o), i);
@@ -904,13 +904,13 @@ function Di(e, t, n = 0.4) {
   let a = Math.max(1.5 * r / Math.tan(e.fov * jo * 0.5), n + r);
   return { ...e, eye: V(o, _(i, a)), target: o };
 }
-var Os = ["plan", "ceiling", "north", "east", "south", "west"];
-function Fi(e) {
+var Ds = ["plan", "ceiling", "north", "east", "south", "west"];
+function qi(e) {
   let t = Math.abs(e[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], n = ee(ge(e, t));
   return { right: ee(ge(n, e)), ahead: n };
 }
-function Ni(e, t, n, o) {
-  let { right: r, ahead: i } = Fi(n), a = Ue(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), u = {
+function Ui(e, t, n, o) {
+  let { right: r, ahead: i } = qi(n), a = Ue(t), s = (b) => Math.abs(q(O(t[1], t[0]), b)), u = {
     plan: { forward: _(n, -1), up: i, side: r, cut: 0.15 },
     ceiling: { forward: n, up: _(i, -1), side: r, cut: 0.35 },
     north: { forward: i, up: n, side: r, cut: 0.25 },
@@ -933,13 +933,13 @@ var ie = {
   sent: [],
   entered: 0,
   firstDrawn: 0
-}, qi = 0;
+}, ji = 0;
 for (let e of ["input", "pointermove", "pointerdown", "keydown", "wheel"])
-  addEventListener(e, (t) => qi = t.timeStamp, { capture: !0, passive: !0 });
-function Ui(e, t) {
-  ie.sent.push({ seq: e, what: t, at: performance.now(), input: qi }), ie.sent.length > 1024 && ie.sent.shift();
+  addEventListener(e, (t) => ji = t.timeStamp, { capture: !0, passive: !0 });
+function Wi(e, t) {
+  ie.sent.push({ seq: e, what: t, at: performance.now(), input: ji }), ie.sent.length > 1024 && ie.sent.shift();
 }
-function ji(e) {
+function Bi(e) {
   ie.frame = e.frame, ie.seqApplied = e.seq, ie.firstDrawn ||= e.drawn, ie.frames.push(e), ie.frames.length > 1024 && ie.frames.shift(), requestAnimationFrame(() => {
     let t = new MessageChannel();
     t.port1.onmessage = () => {
@@ -1001,7 +1001,7 @@ var nn = class {
     this.shown.value = { ...this.server, ...t };
   }
 };
-function Wi(e) {
+function Gi(e) {
   let { name: t, group: n, lamps: o } = e;
   return `${t} ${n} ${o}`;
 }
@@ -1040,7 +1040,7 @@ var Ee = class {
     let n = !1;
     for (let [o, r] of Object.entries(t)) {
       let i = Number(o), a = this.entries.get(i);
-      r === null ? n = this.entries.delete(i) || n : a ? (Wi(a.shown.peek()) !== Wi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new nn(r)), n = !0);
+      r === null ? n = this.entries.delete(i) || n : a ? (Gi(a.shown.peek()) !== Gi(r) && this.order.value++, a.receive(r)) : (this.entries.set(i, new nn(r)), n = !0);
     }
     n && this.number();
   }
@@ -1071,13 +1071,13 @@ var Ee = class {
   editor: F,
   status: Te
 };
-function Bi(e) {
+function zi(e) {
   Gn.clear();
   for (let [t, n] of Object.entries(on)) n.whole(e[t]);
   for (let [t, n] of Object.entries(Wo)) t in e && (n.value = e[t]);
   wt(e.display) && Xn.receive(e.display);
 }
-function Gi(e, t) {
+function Xi(e, t) {
   for (let [n, o] of Object.entries(e))
     n in on ? on[n].patch(o) : n === "display" ? Xn.receive(o) : n in Wo && (Wo[n].value = o);
   Ct(t);
@@ -1085,7 +1085,7 @@ function Gi(e, t) {
 function Ct(e) {
   for (let t of [...Gn]) t.release(e);
 }
-function zi(e, t) {
+function Yi(e, t) {
   for (let [n, o] of Object.entries(e))
     if (n in on && wt(o))
       for (let [r, i] of Object.entries(o)) {
@@ -1094,7 +1094,7 @@ function zi(e, t) {
       }
     else n === "display" && wt(o) && t(Xn, o);
 }
-var Bo = (e, t) => zi(e, (n, o) => n.keep(o, t)), Yn = (e, t) => zi(e, (n, o) => n.settle(o, t));
+var Bo = (e, t) => Yi(e, (n, o) => n.keep(o, t)), Yn = (e, t) => Yi(e, (n, o) => n.settle(o, t));
 function sn(e) {
   let t = D.get(e.group);
   return e.on && !e.parked && (t?.on ?? !0) ? e.level * (t?.level ?? 1) : 0;
@@ -1105,30 +1105,30 @@ function Go(e) {
     return t + (o ? o.flux * sn(o) : 0);
   }, 0);
 }
-var Xi = N(() => {
+var Qi = N(() => {
   let e = k.all();
   return e.length > 0 && e.every(([, t]) => sn(t) === 0);
 });
-function Ds(e, t) {
+function Fs(e, t) {
   let n = t.trim().toLowerCase();
   return e.all().filter(([, o]) => !n || o.name.toLowerCase().includes(n));
 }
 
 // src/wire.ts
-var j = g("entering"), cn = g(0), pe = g("edit"), Qn = g(null), Oe = g(0), Yi = () => null, Qi = (e) => {
-  Yi = e;
+var j = g("entering"), cn = g(0), pe = g("edit"), Qn = g(null), Oe = g(0), Ji = () => null, Zi = (e) => {
+  Ji = e;
 }, Jn = /* @__PURE__ */ new Map(), je = null, ln = 0, zo = null, un = 0, Et = "", Zn = !1;
 function Se(e, t) {
   let n = Jn.get(e) ?? /* @__PURE__ */ new Set();
   return Jn.set(e, n.add(t)), () => n.delete(t);
 }
 function K(e) {
-  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Ui(ln, e.do), ln);
+  return !je || je.readyState !== WebSocket.OPEN || j.peek() !== "open" ? 0 : (ln += 1, je.send(JSON.stringify({ ...e, seq: ln })), e.do !== "ack" && Wi(ln, e.do), ln);
 }
-var Fs = 0, st = /* @__PURE__ */ new Map();
+var Ns = 0, st = /* @__PURE__ */ new Map();
 function De(e, t, n, o = () => {
 }) {
-  let r = ++Fs, i = Se("answer", (s) => {
+  let r = ++Ns, i = Se("answer", (s) => {
     s.id === r && (s.done !== !1 && i(), n(s));
   }), a = K({ do: "ask", id: r, what: e, ...t });
   if (!a)
@@ -1142,7 +1142,7 @@ function De(e, t, n, o = () => {
   }
   return i;
 }
-function Ns(e) {
+function qs(e) {
   switch (e.is) {
     case "hello":
       if (un = 0, zo !== null && e.build !== zo) {
@@ -1152,10 +1152,10 @@ function Ns(e) {
       zo = e.build, pe.value = e.role === "watch" ? "watch" : "edit", Qn.value = e.you === void 0 ? null : String(e.you), Oe.value = 0, st.clear(), j.value = "open";
       break;
     case "state":
-      Bi(e.state ?? e);
+      zi(e.state ?? e);
       break;
     case "patch":
-      (e.by == null || String(e.by) === Qn.value) && Xo(e.seq), Gi(e.patch ?? {}, Oe.value);
+      (e.by == null || String(e.by) === Qn.value) && Xo(e.seq), Xi(e.patch ?? {}, Oe.value);
       break;
     case "status":
       Te.value = e;
@@ -1175,7 +1175,7 @@ function Ns(e) {
 function Xo(e) {
   typeof e == "number" && e > Oe.value && (Oe.value = e);
 }
-async function Ji() {
+async function ea() {
   if (!Et) return "in";
   try {
     return (await fetch("/enter", {
@@ -1187,26 +1187,26 @@ async function Ji() {
     return "away";
   }
 }
-function Zi() {
+function ta() {
   let e = location.protocol === "https:" ? "wss" : "ws", t = new WebSocket(`${e}://${location.host}/wire`);
   t.binaryType = "arraybuffer";
   let n = !1;
   je = t, Jn.get("line")?.forEach((o) => o({ is: "line" })), t.onmessage = (o) => {
     if (t !== je) return;
     if (typeof o.data != "string") {
-      let i = Yi(o.data);
+      let i = Ji(o.data);
       i && F.value.you && Xo(i.seq);
       return;
     }
     let r = JSON.parse(o.data);
-    r.is === "hello" && (n = !0, ln = 0), Ns(r);
+    r.is === "hello" && (n = !0, ln = 0), qs(r);
   }, t.onclose = () => {
-    t === je && (je = null, j.value !== "renewed" && qs(n));
+    t === je && (je = null, j.value !== "renewed" && Us(n));
   };
 }
-async function qs(e) {
-  if (Ct(1 / 0), !e && await Us()) {
-    let o = await Ji();
+async function Us(e) {
+  if (Ct(1 / 0), !e && await js()) {
+    let o = await ea();
     if (o === "denied" || o === "in" && un > 4 && !Et) {
       j.value = "denied";
       return;
@@ -1218,29 +1218,29 @@ async function qs(e) {
   let n = Math.min(5, un);
   for (let o = n; o > 0; o--)
     cn.value = o, await new Promise((r) => setTimeout(r, 1e3));
-  cn.value = 0, Zi();
+  cn.value = 0, ta();
 }
-async function Us() {
+async function js() {
   try {
     return await fetch("/", { cache: "no-store" }), !0;
   } catch {
     return !1;
   }
 }
-async function ea() {
+async function na() {
   let e = location.hash.slice(1);
-  if (e ? (Et = e, sessionStorage.setItem("lampyris-key", Et), window.history.replaceState(null, "", location.pathname + location.search)) : Et = sessionStorage.getItem("lampyris-key") ?? "", ie.entered = performance.now(), e && await Ji() === "denied") {
+  if (e ? (Et = e, sessionStorage.setItem("lampyris-key", Et), window.history.replaceState(null, "", location.pathname + location.search)) : Et = sessionStorage.getItem("lampyris-key") ?? "", ie.entered = performance.now(), e && await ea() === "denied") {
     j.value = "denied";
     return;
   }
-  Zi();
+  ta();
 }
 Se("hello", () => Zn = !1);
 
 // src/frames.ts
-var W = g(null), Pt = g(0), ta = ["moving", "settled", "final"], na = 32, Tt = /* @__PURE__ */ new Map(), Pe = null, Yo = null, Qo = !1, lt = null;
-function js(e) {
-  if (e.byteLength < na) return null;
+var W = g(null), Pt = g(0), oa = ["moving", "settled", "final"], ra = 32, Tt = /* @__PURE__ */ new Map(), Pe = null, Yo = null, Qo = !1, lt = null;
+function Ws(e) {
+  if (e.byteLength < ra) return null;
   let t = new DataView(e);
   return { head: {
     frame: t.getUint32(0, !0),
@@ -1248,7 +1248,7 @@ function js(e) {
     camera: t.getUint32(8, !0),
     width: t.getUint16(12, !0),
     height: t.getUint16(14, !0),
-    kind: ta[Math.min(t.getUint8(16), 2)],
+    kind: oa[Math.min(t.getUint8(16), 2)],
     falseColor: (t.getUint8(18) & 1) === 1,
     batches: t.getUint32(20, !0),
     error: t.getFloat32(24, !0),
@@ -1256,31 +1256,31 @@ function js(e) {
     encode: t.getUint16(30, !0) / 10
   }, mime: t.getUint8(17) === 1 ? "image/png" : "image/jpeg" };
 }
-function Ws(e) {
-  let t = js(e);
-  return t ? (lt && K({ do: "ack", frame: lt.head.frame }), lt = { ...t, bytes: e, received: performance.now() }, Qo || Bs(), t.head) : null;
+function Bs(e) {
+  let t = Ws(e);
+  return t ? (lt && K({ do: "ack", frame: lt.head.frame }), lt = { ...t, bytes: e, received: performance.now() }, Qo || Gs(), t.head) : null;
 }
-async function Bs() {
+async function Gs() {
   for (Qo = !0; lt; ) {
     let { head: e, mime: t, bytes: n, received: o } = lt;
     lt = null;
     try {
-      let r = await createImageBitmap(new Blob([new Uint8Array(n, na)], { type: t }));
-      Gs(e, r, n.byteLength, o);
+      let r = await createImageBitmap(new Blob([new Uint8Array(n, ra)], { type: t }));
+      zs(e, r, n.byteLength, o);
     } catch {
     }
     K({ do: "ack", frame: e.frame });
   }
   Qo = !1;
 }
-function Gs(e, t, n, o) {
+function zs(e, t, n, o) {
   let r = performance.now();
   Pe && Yo && ((Pe.width !== t.width || Pe.height !== t.height) && (Pe.width = t.width, Pe.height = t.height), Yo.drawImage(t, 0, 0)), t.close();
   let i = Tt.get(e.camera) ?? W.peek()?.camera;
-  i && (W.value = { head: e, camera: i }), zs(), ji({
+  i && (W.value = { head: e, camera: i }), Xs(), Bi({
     frame: e.frame,
     seq: e.seq,
-    kind: ta.indexOf(e.kind),
+    kind: oa.indexOf(e.kind),
     width: e.width,
     height: e.height,
     bytes: n,
@@ -1294,19 +1294,19 @@ function Gs(e, t, n, o) {
   });
 }
 var eo = [];
-function zs() {
+function Xs() {
   let e = performance.now();
   eo = eo.filter((t) => e - t < 1e3), eo.push(e), Pt.value = eo.length;
 }
 function Jo(e) {
   Pe = e, Yo = e?.getContext("2d", { alpha: !1 }) ?? null;
 }
-function oa() {
+function ia() {
   if (!Pe || !W.peek()) return null;
   let e = document.createElement("canvas");
   return e.width = Pe.width, e.height = Pe.height, e.getContext("2d", { alpha: !1 })?.drawImage(Pe, 0, 0), e;
 }
-Qi(Ws);
+Zi(Bs);
 Se("camera", (e) => {
   Tt.set(e.number, e);
   for (let t of Tt.keys()) {
@@ -1319,11 +1319,11 @@ Se("line", () => {
 });
 
 // src/prefs.ts
-var ra = "lampyris-";
+var aa = "lampyris-";
 function ae(e, t) {
   let n = t;
   try {
-    let r = localStorage.getItem(ra + e);
+    let r = localStorage.getItem(aa + e);
     r !== null && (n = JSON.parse(r));
   } catch {
   }
@@ -1331,18 +1331,18 @@ function ae(e, t) {
   return L(() => {
     let r = JSON.stringify(o.value);
     try {
-      localStorage.setItem(ra + e, r);
+      localStorage.setItem(aa + e, r);
     } catch {
     }
   }), o;
 }
-var Zo = ae("theme", "dark"), er = ae("house-lights", 1), to = ae("hands", "default"), tr = ae("walking", "walk"), nr = ae("panels", !0), $t = ae("listing", "faders"), no = ae("travel", "square"), Lt = ae("candles", "lx"), or = ae("single-keys", !0), rr = ae("lamp-marks", !0), fn = ae("maintenance", 1), Xs = ae("work-plane", 0.75), We = ae("fine", !1), ir = ae("fade", 1), Ys = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, we = ae("look-only", Ys);
+var Zo = ae("theme", "dark"), er = ae("house-lights", 1), to = ae("hands", "default"), tr = ae("walking", "walk"), nr = ae("panels", !0), $t = ae("listing", "faders"), no = ae("travel", "square"), Lt = ae("candles", "lx"), or = ae("single-keys", !0), rr = ae("lamp-marks", !0), fn = ae("maintenance", 1), Ys = ae("work-plane", 0.75), We = ae("fine", !1), ir = ae("fade", 1), Qs = typeof matchMedia == "function" && matchMedia("(pointer: coarse)").matches, we = ae("look-only", Qs);
 
 // src/say.ts
-var ut = g([]), Qs = 0;
+var ut = g([]), Js = 0;
 function se(e, t = "plain") {
   if (ut.peek().find((r) => r.text === e)) return;
-  let o = ++Qs;
+  let o = ++Js;
   ut.value = [...ut.peek().slice(-2), { id: o, text: e, tone: t }], setTimeout(() => ar(o), t === "warn" ? 8e3 : 4e3);
 }
 function ar(e) {
@@ -1350,13 +1350,13 @@ function ar(e) {
 }
 
 // src/gesture.ts
-var Vt = 0, sa = /* @__PURE__ */ new Set(), la = (e) => {
-  sa.add(e);
+var Vt = 0, ua = /* @__PURE__ */ new Set(), ca = (e) => {
+  ua.add(e);
 }, pn = /* @__PURE__ */ new Set(), Ge = N(() => we.value ? "The look-only lock is on." : pe.value === "watch" ? "You are watching. Ask for the pen to change things." : F.value.you ? null : `${F.value.name ?? "Somebody else"} has the pen. Take it to change things.`);
 function oo() {
   return j.value !== "open" ? "There is no connection to the program: nothing was changed." : Ge.value;
 }
-var ia = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
+var sa = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-\u001f]/g, " "), Be = class {
   constructor(t) {
     this.label = t;
   }
@@ -1375,7 +1375,7 @@ var ia = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
     this.state === "over" || !this.begin() || (this.flush(), this.last = K(t));
   }
   end(t) {
-    this.state === "held" && (this.flush(), Yn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: ia(t) } : {} })), this.state = "over";
+    this.state === "held" && (this.flush(), Yn(this.touched, this.last), this.finish({ do: "end", ...t ? { label: sa(t) } : {} })), this.state = "over";
   }
   cancel() {
     this.state === "held" && (this.waiting = null, Yn(this.touched, 0), this.finish({ do: "cancel" }), Ct(0)), this.state = "over";
@@ -1391,7 +1391,7 @@ var ia = (e) => (e.length > 120 ? `${e.slice(0, 119)}…` : e).replace(/[\u0000-
   begin() {
     if (this.state === "held") return !0;
     let t = ue(oo);
-    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", pn.add(this), Vt === 0 && sa.forEach((n) => n()), Vt++ === 0 && (this.last = K({ do: "begin", label: ia(this.label) })), !0);
+    return t ? (se(t, "warn"), this.state = "over", !1) : (this.state = "held", pn.add(this), Vt === 0 && ua.forEach((n) => n()), Vt++ === 0 && (this.last = K({ do: "begin", label: sa(this.label) })), !0);
   }
   flush() {
     this.waiting && (this.under = this.last = K({ do: "set", patch: this.waiting }), this.waiting = null);
@@ -1404,7 +1404,7 @@ function Le(e, t) {
   let n = new Be(e);
   n.set(t), n.end();
 }
-function Js(e, t) {
+function Zs(e, t) {
   let n = new Be(e);
   n.also(t), n.end();
 }
@@ -1413,9 +1413,9 @@ function It(e) {
 }
 var $e = null;
 function sr(e, t, n) {
-  $e && $e.key !== e && aa(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(aa, 700);
+  $e && $e.key !== e && la(), $e ??= { key: e, gesture: new Be(t), timer: 0 }, $e.gesture.set(n), clearTimeout($e.timer), $e.timer = window.setTimeout(la, 700);
 }
-function aa() {
+function la() {
   $e && (clearTimeout($e.timer), $e.gesture.end(), $e = null);
 }
 L(() => {
@@ -1426,16 +1426,16 @@ L(() => {
 });
 
 // src/before.ts
-var dn = g(null), de = g(null), Zs = g(0.5);
-function el() {
-  let e = W.peek(), t = oa();
+var dn = g(null), de = g(null), el = g(0.5);
+function tl() {
+  let e = W.peek(), t = ia();
   e && t && (dn.value = { picture: t, camera: e.camera });
 }
 function lr() {
-  de.peek() !== "wipe" && el();
+  de.peek() !== "wipe" && tl();
 }
-la(lr);
-function ua() {
+ca(lr);
+function fa() {
   let e = dn.peek(), t = W.peek();
   if (!e || !t) se("Nothing has been changed yet.");
   else if (!tn(e.camera, t.camera)) se("The picture before was taken from another place: go back there with Alt+←.", "warn");
@@ -1443,14 +1443,14 @@ function ua() {
   return !1;
 }
 function mn(e) {
-  e ? de.peek() === null && ua() && (de.value = "held") : de.peek() === "held" && (de.value = null);
+  e ? de.peek() === null && fa() && (de.value = "held") : de.peek() === "held" && (de.value = null);
 }
-function tl() {
-  de.value = de.peek() === "wipe" ? null : ua() ? "wipe" : null;
+function nl() {
+  de.value = de.peek() === "wipe" ? null : fa() ? "wipe" : null;
 }
 
 // src/select.ts
-var E = g(null), me = g(null), X = g(null), nl = g("move"), le = N(() => {
+var E = g(null), me = g(null), X = g(null), ol = g("move"), le = N(() => {
   let e = E.value;
   return e?.kind === "lamp" ? e.ids.filter((t) => k.has(t)) : e?.kind === "group" ? e.ids.flatMap((t) => D.get(t)?.lamps ?? []) : [];
 });
@@ -1468,19 +1468,19 @@ function ze(e, t, n = "only") {
 function ro() {
   E.value = null;
 }
-function ca(e, t, n) {
+function pa(e, t, n) {
   let o = E.peek(), r = o?.kind === e ? t.indexOf(o.ids[o.ids.length - 1]) : -1;
   if (r < 0) return ze(e, n);
   let i = t.indexOf(n), [a, s] = r < i ? [r, i] : [i, r], p = t.slice(a, s + 1), u = (o?.ids ?? []).filter((c) => !p.includes(c));
   E.value = { kind: e, ids: [...u, ...r < i ? p : p.reverse()] };
 }
-function ol(e) {
+function rl(e) {
   let t = E.peek(), n = t?.kind ?? "lamp", o = n === "lamp" ? k.ids.peek() : n === "thing" ? ye.ids.peek() : D.ids.peek();
   if (!o.length) return;
   let r = t ? o.indexOf(t.ids[t.ids.length - 1]) : e > 0 ? -1 : 0;
   ze(n, o[(r + e + o.length) % o.length]);
 }
-function fa(e, t) {
+function da(e, t) {
   switch (e) {
     case "lamp":
       return k.get(t)?.name ?? `lamp ${t}`;
@@ -1495,9 +1495,9 @@ function fa(e, t) {
   }
 }
 function io(e) {
-  return e.length === 1 ? fa("lamp", e[0]) : `${e.length} lamps`;
+  return e.length === 1 ? da("lamp", e[0]) : `${e.length} lamps`;
 }
-function pa(e, t) {
+function ma(e, t) {
   let n = [];
   if (e?.lamp != null) {
     n.push({ kind: "lamp", ids: [e.lamp] });
@@ -1515,7 +1515,7 @@ function pa(e, t) {
 var hn = g(null);
 
 // src/navigate.ts
-var ma = 1.6, he = g(null), ha = N(() => pe.value === "edit" && F.value.you), Ve = N(() => te.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Ht = g(null), fr = null, vn = null, ur = !1, Xe = [], dr = [], pr = 0;
+var va = 1.6, he = g(null), ga = N(() => pe.value === "edit" && F.value.you), Ve = N(() => te.value?.up ?? [0, 0, 1]), ke = g([640, 480]), Ht = g(null), fr = null, vn = null, ur = !1, Xe = [], dr = [], pr = 0;
 function J(e, t = null) {
   let n = he.peek();
   if (n && tn(n, e)) return;
@@ -1523,20 +1523,20 @@ function J(e, t = null) {
   n && (o - pr > 1e3 || t) && (Xe.push(n), Xe.length > 100 && Xe.shift(), dr.length = 0), pr = o, he.value = e, Ht.value = t;
 }
 var oe = () => he.peek();
-function rl() {
-  va(Xe, dr);
-}
 function il() {
-  va(dr, Xe);
+  ba(Xe, dr);
 }
-function va(e, t) {
+function al() {
+  ba(dr, Xe);
+}
+function ba(e, t) {
   let n = e.pop();
   if (!n) return;
   let o = he.peek();
   o && t.push(o), pr = performance.now(), he.value = n, Ht.value = null;
 }
 L(() => {
-  !he.value || j.value !== "open" || !ha.value || ur || (ur = !0, requestAnimationFrame(() => {
+  !he.value || j.value !== "open" || !ga.value || ur || (ur = !0, requestAnimationFrame(() => {
     ur = !1;
     let t = he.peek();
     if (!t || vn && tn(vn, t)) return;
@@ -1547,7 +1547,7 @@ L(() => {
 L(() => {
   let e = W.value;
   e && ue(() => {
-    he.peek() && ha.peek() || (vn = e.camera, he.value = e.camera, fr ??= e.camera);
+    he.peek() && ga.peek() || (vn = e.camera, he.value = e.camera, fr ??= e.camera);
   });
 });
 Se("hello", () => vn = null);
@@ -1568,17 +1568,17 @@ function ct(e = he.peek()) {
 var At = () => te.peek()?.bounds ?? [[0, 0, 0], [1, 1, 1]], Ot = () => Ue(At());
 function ao(e, t) {
   let n = oe();
-  n && J(Ri(n, Ve.peek(), e, t));
+  n && J(Hi(n, Ve.peek(), e, t));
 }
 function so(e, t, n) {
   let o = oe();
-  o && J(Ki(o, Ve.peek(), e, t, n));
+  o && J(Di(o, Ve.peek(), e, t, n));
 }
 function Dt(e, t, n) {
   let o = oe(), r = ct();
-  o && r && J(Oi(o, r, e, t, n));
+  o && r && J(Fi(o, r, e, t, n));
 }
-function ga(e, t, n) {
+function ya(e, t, n) {
   let o = oe();
   if (o) {
     if (o.height) {
@@ -1586,11 +1586,11 @@ function ga(e, t, n) {
       r && J(Ke(o, V(_(r.side, t), _(r.up, e))));
       return;
     }
-    tr.peek() === "fly" || n !== 0 ? J(Hi(o, Ve.peek(), e, t, n)) : (J(Ai(o, Ve.peek(), e, t, 0)), al());
+    tr.peek() === "fly" || n !== 0 ? J(Oi(o, Ve.peek(), e, t, n)) : (J(Ki(o, Ve.peek(), e, t, 0)), sl());
   }
 }
-var Rt = !1, cr = !0, da = null;
-function al() {
+var Rt = !1, cr = !0, ha = null;
+function sl() {
   let e = oe();
   if (!e || Rt || !cr) return;
   let t = Ve.peek();
@@ -1599,8 +1599,8 @@ function al() {
     Rt = !1, cr = !0;
     let r = oe();
     if (!o.hit || !r || r.height) return;
-    da = q(o.point, t);
-    let i = da + ma - q(r.eye, t);
+    ha = q(o.point, t);
+    let i = ha + va - q(r.eye, t);
     Math.abs(i) > 0.01 && J(Ke(r, _(t, i * 0.5)));
   }, () => {
     Rt = !1, cr = !1;
@@ -1609,7 +1609,7 @@ function al() {
     Rt && n(), Rt = !1;
   }, 500);
 }
-function sl() {
+function ll() {
   let e = E.peek();
   if (!e) return null;
   let t = [], n = (i, a) => {
@@ -1622,38 +1622,38 @@ function sl() {
   let o = t.flatMap(yt), r = (i) => [0, 1, 2].map((a) => i(...o.map((s) => s[a])));
   return [r(Math.min), r(Math.max)];
 }
-function ll() {
-  let e = oe(), t = sl();
-  e && t ? J(Di(e, t), "selection") : mr();
+function ul() {
+  let e = oe(), t = ll();
+  e && t ? J(Ni(e, t), "selection") : mr();
 }
 function mr() {
   fr && J(fr, "home");
 }
-function ul(e) {
+function cl(e) {
   let [t, n] = ke.peek();
-  J(Ni(e, At(), Ve.peek(), t / n), e);
+  J(Ui(e, At(), Ve.peek(), t / n), e);
 }
-function cl() {
+function fl() {
   for (let e = Xe.length - 1; e >= 0; e--)
     if (!Xe[e].height) return J(Xe[e], "inside");
   mr();
 }
-var fl = N(() => {
+var pl = N(() => {
   let e = he.value;
   if (!e?.height) return null;
   let t = _t(e, 2, 2), n = yt(At()).map((s) => q(O(s, e.eye), t.forward)), o = e.near ?? 0, r = q(t.forward, Ve.value), i = Math.min(...yt(At()).map((s) => q(s, Ve.value))), a = Math.abs(r) > 0.99 ? q(e.eye, Ve.value) + r * o - i : null;
   return { value: o, most: Math.max(...n), height: a };
 });
-function pl(e) {
+function dl(e) {
   let t = oe();
   t && (he.value = { ...t, near: Math.max(0, e) });
 }
 
 // src/tools.ts
-var hr = g("spot"), ba = () => {
-}, dl = (e) => {
-  ba = e;
-}, ya = (e) => ba(e);
+var hr = g("spot"), _a = () => {
+}, ml = (e) => {
+  _a = e;
+}, wa = (e) => _a(e);
 function vr(e) {
   X.value = X.peek() === e ? null : e;
 }
@@ -1669,29 +1669,29 @@ function co(e) {
   if (t) return se(t, "warn");
   (e.do === "look" ? e.what === "recall" : e.do !== "save") && lr(), K(e);
 }
-var ml = (e, t) => Object.fromEntries(e.map((n) => [n, t])), yr = {
+var hl = (e, t) => Object.fromEntries(e.map((n) => [n, t])), yr = {
   quantity: "illuminance",
   low: 1,
   high: 1e3,
   scale: "log",
   palette: "even",
   lines: !1
-}, bn = yr, _a = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }), hl = () => at.peek().false_color ?? bn;
+}, bn = yr, ka = ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }) => ({ quantity: e, low: t, high: n, scale: o, palette: r, lines: i, against: a }), vl = () => at.peek().false_color ?? bn;
 function _r() {
   let e = at.peek().false_color;
-  e && (bn = e), bn.against != null && (bn = yr), It({ false_color: e ? null : _a(bn) });
+  e && (bn = e), bn.against != null && (bn = yr), It({ false_color: e ? null : ka(bn) });
 }
 function fo(e) {
   let t = Math.round(((at.peek().ev ?? 0) + e / 3) * 30) / 30;
   It({ ev: t });
 }
-function vl() {
+function gl() {
   let e = oe();
   if (!e) return;
   let t = lo(xt);
   Le("Store the view", { views: { [t]: { ...e, name: `View ${t + 1}` } } });
 }
-var gl = () => co({ do: "look", what: "store", name: `Look ${lo(St) + 1}` });
+var bl = () => co({ do: "look", what: "store", name: `Look ${lo(St) + 1}` });
 async function wr(e) {
   let t = !1;
   try {
@@ -1703,10 +1703,10 @@ async function wr(e) {
   se(t ? "Copied." : `Copy it by hand: ${e}`);
 }
 var Ft = /* @__PURE__ */ new Map(), uo = null;
-function bl(e) {
+function yl(e) {
   Ft = new Map(e.map((t) => [t.id, t])), uo && B(uo), uo = null;
 }
-var yl = () => [...Ft.values()], wa = (e) => Ft.get(e), yn = (e) => Ft.get(e)?.why?.() ?? null;
+var _l = () => [...Ft.values()], xa = (e) => Ft.get(e), yn = (e) => Ft.get(e)?.why?.() ?? null;
 function B(e) {
   let t = Ft.get(e);
   Ft.size || (uo = e);
@@ -1715,34 +1715,34 @@ function B(e) {
 }
 
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
-var _l = /* @__PURE__ */ Symbol.for("pv"), wl = 0;
+var wl = /* @__PURE__ */ Symbol.for("pv"), kl = 0;
 function l(e, t, n, o, r, i) {
   t || (t = {});
   var a, s, p = t;
   if ("ref" in p && typeof e != "function") for (s in p = {}, t) s == "ref" ? a = t[s] : p[s] = t[s];
-  var u = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: _l, __v: --wl, __i: -1, __u: 0 };
+  var u = { type: e, props: p, key: n, ref: a, __k: null, __: null, __b: 0, __e: null, __c: null, constructor: wl, __v: --kl, __i: -1, __u: 0 };
   return (r || i) && (u.__source = r, u.__self = i), C.vnode && C.vnode(u), u;
 }
 
 // src/load.tsx
-var xa = g(null), ka = !1, kr = (e) => xa.value?.[e];
+var Ma = g(null), kr = !1, Sa = 0, xr = (e) => Ma.value?.[e];
 function Z({ part: e }) {
-  let t = kr(e);
+  let t = xr(e);
   return t ? l(t, {}) : null;
 }
-function Sa() {
+function Ca() {
   L(() => {
-    if (ka || !(W.value ?? E.value)) return;
-    ka = !0;
-    let e = "./gizmo.js";
+    if (kr || !(W.value ?? E.value)) return;
+    kr = !0;
+    let e = `./gizmo.js${Sa++ ? `?${Sa}` : ""}`;
     setTimeout(() => {
-      import(e).then((t) => xa.value = t);
+      import(e).then((t) => Ma.value = t, () => kr = !1);
     }, 0);
   });
 }
 
 // src/units.ts
-var po = 0.3048, Ma = {
+var po = 0.3048, Ea = {
   level: { bare: 0.01, units: { "%": 0.01, x: 1, "×": 1 }, low: 0, high: 1e3, say: "a level such as 80 % or 450 lm" },
   flux: { bare: 1, units: { lm: 1, klm: 1e3 }, low: 0, high: 1e9, say: "a flux such as 450 lm" },
   kelvin: { bare: 1, units: { k: 1 }, low: 1e3, high: 25e3, say: "a colour temperature such as 2700 K" },
@@ -1759,19 +1759,19 @@ var po = 0.3048, Ma = {
   number: { bare: 1, units: {}, low: -1e9, high: 1e9, say: "a number" },
   ev: { bare: 1, units: { ev: 1, stop: 1, stops: 1 }, low: -30, high: 30, say: "an exposure such as 8.3" },
   seconds: { bare: 1, units: { s: 1, ms: 1e-3, min: 60 }, low: 0, high: 3600, say: "a time such as 2 s" }
-}, kl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
-function xr(e) {
-  let t = kl.exec(e);
+}, xl = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:\/(?:\d+(?:\.\d*)?|\.\d+))?/;
+function Sr(e) {
+  let t = xl.exec(e);
   if (!t) return null;
   let [n, o] = t[0].split("/").map(Number);
   return o === 0 ? null : { value: o === void 0 ? n : n / o, rest: e.slice(t[0].length).trimStart() };
 }
-function Ca(e, t, n) {
+function Ta(e, t, n) {
   let o = e.trim(), r = 0, i = !0;
   for (; o; ) {
     let a = 1, s = /^[+-]\s*/.exec(o);
     s && !i && (a = o[0] === "-" ? -1 : 1, o = o.slice(s[0].length));
-    let p = xr(o);
+    let p = Sr(o);
     if (!p) return null;
     let u = /^[a-zµ°%'"×]+/i.exec(p.rest)?.[0] ?? "", c = u === "" ? n : t.units[u.toLowerCase()];
     if (c === void 0) return null;
@@ -1779,8 +1779,8 @@ function Ca(e, t, n) {
   }
   return i ? null : r;
 }
-function Ea(e, t, n) {
-  let o = Ma[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
+function Pa(e, t, n) {
+  let o = Ea[t], r = e.trim().replace(/,(?=\d)/g, ".").replace(/[\u2009\u202f\u00a0]/g, "").replace(/−/g, "-"), i = { why: `“${e.trim()}” is not ${o.say}` }, a = (y) => ({
     apply: (x) => Math.min(o.high, Math.max(o.low, y(x)))
   });
   if (!r) return { why: `Type ${o.say}` };
@@ -1789,19 +1789,19 @@ function Ea(e, t, n) {
   if (t === "level" && (s === "out" || s === "off")) return a(() => 0);
   let p = /^(.*?)\s*(?:stops?|ev)$/i.exec(r);
   if (p && t !== "ev") {
-    let y = xr(p[1].trim());
+    let y = Sr(p[1].trim());
     return !y || y.rest || !["level", "flux", "lux", "number"].includes(t) ? i : a((x) => x * 2 ** y.value);
   }
   let u = /^([*/×÷])\s*(.+)$/.exec(r);
   if (u) {
-    let y = xr(u[2]);
+    let y = Sr(u[2]);
     if (!y) return i;
     let x = y.rest === "%" ? 0.01 : y.rest === "" ? 1 : NaN, S = y.value * x;
     return !Number.isFinite(S) || S === 0 && /[/÷]/.test(u[1]) ? i : a((w) => /[/÷]/.test(u[1]) ? w / S : w * S);
   }
-  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = Ca(m, o, o.bare);
+  let d = t === "length" || t === "angle" || t === "ev" || t === "number" ? /^([+-])=\s*(.+)$/.exec(r) : /^([+-])=?\s*(.+)$/.exec(r), m = d ? d[2] : r, f = Ta(m, o, o.bare);
   if (f === null && t === "level" && n) {
-    let y = Ca(m, { ...Ma.flux }, NaN);
+    let y = Ta(m, { ...Ea.flux }, NaN);
     f = y === null || Number.isNaN(y) ? null : y / n;
   }
   if (f === null || !Number.isFinite(f)) return i;
@@ -1845,12 +1845,12 @@ function _n(e, t) {
       return String(Math.round(e * 1e4) / 1e4);
   }
 }
-var Sr = (e) => (e > 0 ? "+" : "") + Mr(e);
-function Mr(e, t = !0) {
+var Mr = (e) => (e > 0 ? "+" : "") + Cr(e);
+function Cr(e, t = !0) {
   let n = Lt.value === "fc", o = n ? e / 10.7639 : e;
   return Ye(o) + (t ? n ? " fc" : " lx" : "");
 }
-var pt = (e, t = !0) => Mr(e * fn.value, t);
+var pt = (e, t = !0) => Cr(e * fn.value, t);
 
 // src/field.tsx
 function wn(e) {
@@ -1860,7 +1860,7 @@ function wn(e) {
   }, [e.open]);
   let a = () => {
     if (t.value === null) return;
-    let d = Ea(t.value, e.quantity, e.flux);
+    let d = Pa(t.value, e.quantity, e.flux);
     if ("why" in d) {
       n.value = d.why;
       return;
@@ -1936,8 +1936,8 @@ function Nt({ id: e, label: t, title: n, children: o }) {
     l("div", { id: e, popover: "auto", class: "menu", children: o })
   ] });
 }
-function Cr({ id: e, label: t }) {
-  let n = yn(e), o = wa(e);
+function Er({ id: e, label: t }) {
+  let n = yn(e), o = xa(e);
   return l(
     "button",
     {
@@ -1956,19 +1956,19 @@ function Cr({ id: e, label: t }) {
 }
 
 // src/bar.tsx
-var Ta = {
+var $a = {
   clean: "nothing changed",
   saved: "saved",
   waiting: "saving…",
   failed: "not saved"
 };
-function Pa() {
+function La() {
   let e = at.value, t = rt.value.undo, n = rt.value.redo, o = it.value, r = e.metered;
   return l("header", { class: "bar", children: [
     l(Nt, { id: "page-menu", label: l(z, { name: "menu" }), title: "Page", children: l(Z, { part: "PageItems" }) }),
     l("h1", { title: o.file || te.value?.file, children: [
       te.value?.name ?? "Lampyris",
-      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": Ta[o.state], title: `${Ta[o.state]}${o.file ? `: ${o.file}` : ""}` })
+      l("i", { class: `dot ${o.state}`, role: "img", "aria-label": $a[o.state], title: `${$a[o.state]}${o.file ? `: ${o.file}` : ""}` })
     ] }),
     l("span", { class: "group", children: [
       l("button", { class: "icon", "aria-label": t ? `Undo: ${t}` : "Undo", title: t ? `Undo: ${t} (Ctrl+Z)` : "Nothing to undo", "aria-disabled": t === null, onClick: () => B("undo"), children: l(z, { name: "undo" }) }),
@@ -2029,11 +2029,11 @@ function Pa() {
 function mo(e) {
   _e.value = e, K({ do: "solo", lamps: e });
 }
-function Er(e) {
+function Tr(e) {
   let t = _e.peek(), n = e.every((o) => t.includes(o));
   mo(n ? t.filter((o) => !e.includes(o)) : [...t, ...e.filter((o) => !t.includes(o))]);
 }
-var xl = () => Er(le.peek()), Tr = () => mo([]), kn = null;
+var Sl = () => Tr(le.peek()), Pr = () => mo([]), kn = null;
 function ho(e) {
   e && kn === null && le.peek().length ? (kn = _e.peek(), mo(le.peek())) : !e && kn !== null && (mo(kn), kn = null);
 }
@@ -2041,42 +2041,42 @@ function ho(e) {
 // src/lights.ts
 var xn = g(null), vo = (e, t, n) => {
   xn.value = { x: e, y: t, hit: n, lux: n.lux, lamps: [], done: !1 };
-}, Pr = () => {
+}, $r = () => {
   xn.value = null;
 };
 
 // src/keys.ts
-var Ka = g("W A S D"), $r = {
+var Da = g("W A S D"), Lr = {
   KeyW: [1, 0, 0],
   KeyS: [-1, 0, 0],
   KeyA: [0, -1, 0],
   KeyD: [0, 1, 0],
   KeyQ: [0, 0, -1],
   KeyE: [0, 0, 1]
-}, Sl = 1.8, qt = /* @__PURE__ */ new Set(), go = !1, bo = 1, Lr = !1, Vr = 0;
-function Oa(e) {
-  let t = Math.min(0.1, Math.max(0, (e - Vr) / 1e3));
-  if (Vr = e, !qt.size) {
-    Lr = !1;
+}, Ml = 1.8, qt = /* @__PURE__ */ new Set(), go = !1, bo = 1, Vr = !1, Ir = 0;
+function Fa(e) {
+  let t = Math.min(0.1, Math.max(0, (e - Ir) / 1e3));
+  if (Ir = e, !qt.size) {
+    Vr = !1;
     return;
   }
   let [n, o, r] = [0, 0, 0];
   for (let s of qt) {
-    let [p, u, c] = $r[s];
+    let [p, u, c] = Lr[s];
     n += p, o += u, r += c;
   }
-  let i = Math.max(1, He(...At()) / 12), a = Sl * t * bo * Math.min(i, 6);
-  (n || o || r) && ga(n * a, o * a, r * a), requestAnimationFrame(Oa);
+  let i = Math.max(1, He(...At()) / 12), a = Ml * t * bo * Math.min(i, 6);
+  (n || o || r) && ya(n * a, o * a, r * a), requestAnimationFrame(Fa);
 }
 function Sn(e) {
-  qt.add(e), !Lr && (Lr = !0, Vr = performance.now(), requestAnimationFrame(Oa));
+  qt.add(e), !Vr && (Vr = !0, Ir = performance.now(), requestAnimationFrame(Fa));
 }
-var $a = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
-function La() {
+var Va = (e) => e instanceof HTMLElement && (e.isContentEditable || e.matches("input, textarea, select") && !e.matches("[type=range], [type=checkbox], [type=radio]"));
+function Ia() {
   let e = document.activeElement;
   return e === null || e === document.body || e.id === "view";
 }
-var Ml = {
+var Cl = {
   f: "frame",
   t: "aim",
   g: "move",
@@ -2096,7 +2096,7 @@ var Ml = {
   "?": "help",
   delete: "remove",
   home: "home"
-}, Va = {
+}, Ra = {
   b: "quantity",
   o: "park",
   i: "unsolo",
@@ -2104,7 +2104,7 @@ var Ml = {
   g: "grid",
   t: "aim-here",
   n: "place"
-}, Ia = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ra = {
+}, Aa = { Comma: "darker", Period: "brighter", Slash: "expose" }, Ha = {
   Digit1: "preset-plan",
   Digit2: "preset-ceiling",
   Digit3: "preset-north",
@@ -2113,36 +2113,36 @@ var Ml = {
   Digit6: "preset-west",
   Digit0: "inside"
 };
-function Cl(e) {
+function El(e) {
   let t = e.key.toLowerCase();
   return t === "z" ? e.shiftKey ? "redo" : "undo" : t === "y" ? "redo" : t === "k" ? "palette" : t === "s" ? e.shiftKey ? "picture" : "save" : t === "d" ? "duplicate" : t === "g" ? e.shiftKey ? "ungroup" : "group" : t === "a" ? "all-lamps" : t === "enter" ? "look-store" : null;
 }
-function El() {
-  X.peek() ? X.value = null : xn.peek() ? Pr() : de.peek() ? de.value = null : E.peek() ? ro() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
+function Tl() {
+  X.peek() ? X.value = null : xn.peek() ? $r() : de.peek() ? de.value = null : E.peek() ? ro() : document.activeElement?.id === "view" && document.querySelector('.bar button, .bar [tabindex="0"]')?.focus();
 }
-function Aa(e) {
+function Ka(e) {
   let [t, n] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key] ?? [0, 0];
   return !t && !n ? !1 : (e.ctrlKey || oe()?.height ? Dt(-t * 24, n * 24, 3) : e.shiftKey ? so(Ot(), -t * 0.05, n * 0.05) : ao(-t * 0.06, n * 0.06), !0);
 }
-function Ha(e) {
+function Oa(e) {
   let t = oe(), n = ct();
   !t || !n || (t.height ? J(Bn(t, n, n.width / 2, n.height / 2, e)) : J(Wn(t, t.target, e, 0.3, !0)));
 }
-var Da = () => !1, Tl = (e) => {
-  Da = e;
+var Na = () => !1, Pl = (e) => {
+  Na = e;
 };
-function Pl(e) {
+function $l(e) {
   if (e.defaultPrevented || document.querySelector("dialog[open]")) return;
-  if (!$a(e.target) && Da(e)) return e.preventDefault();
+  if (!Va(e.target) && Na(e)) return e.preventDefault();
   let t = e.ctrlKey || e.metaKey;
-  if (e.key === "Escape") return El();
-  if ($a(e.target)) {
+  if (e.key === "Escape") return Tl();
+  if (Va(e.target)) {
     t && e.key.toLowerCase() === "k" && Fe(e, "palette");
     return;
   }
   if (t && !e.altKey) {
-    if (La() && Aa(e)) return e.preventDefault();
-    let i = Cl(e);
+    if (Ia() && Ka(e)) return e.preventDefault();
+    let i = El(e);
     i && Fe(e, i);
     return;
   }
@@ -2157,16 +2157,16 @@ function Pl(e) {
       a && J(a[1], a[1].name ?? "view");
       return;
     }
-    if (e.code === "KeyH" && Fe(e, "unhide"), !(e.code in $r)) return;
+    if (e.code === "KeyH" && Fe(e, "unhide"), !(e.code in Lr)) return;
   }
-  let n = La();
-  if (n && Aa(e)) return e.preventDefault();
-  if (n && e.code in $r)
+  let n = Ia();
+  if (n && Ka(e)) return e.preventDefault();
+  if (n && e.code in Lr)
     return bo = e.shiftKey ? 4 : e.altKey ? 0.25 : 1, Sn(e.code), e.preventDefault();
-  if (n && (e.key === "+" || e.key === "=")) return Ha(0.85);
-  if (n && (e.key === "-" || e.key === "_")) return Ha(1 / 0.85);
+  if (n && (e.key === "+" || e.key === "=")) return Oa(0.85);
+  if (n && (e.key === "-" || e.key === "_")) return Oa(1 / 0.85);
   if (!or.peek()) return;
-  if (e.shiftKey && Ra[e.code]) return Fe(e, Ra[e.code]);
+  if (e.shiftKey && Ha[e.code]) return Fe(e, Ha[e.code]);
   if (go && /^\d$/.test(e.key)) {
     e.preventDefault(), go = !1;
     let i = St.ids.peek()[Number(e.key) - 1];
@@ -2178,47 +2178,47 @@ function Pl(e) {
     e.preventDefault(), br.value = e.key;
     return;
   }
-  if (!e.shiftKey && e.key !== "?" && Ia[e.code]) return Fe(e, Ia[e.code]);
+  if (!e.shiftKey && e.key !== "?" && Aa[e.code]) return Fe(e, Aa[e.code]);
   if (e.key === "\\") return void (e.repeat || mn(!0));
   let o = e.key.toLowerCase();
   if (o === "l" && !e.shiftKey) return void (e.repeat || B("highlight"));
-  if (o === "p" && e.shiftKey) return $l();
-  let r = e.shiftKey && Va[o] ? Va[o] : Ml[o];
+  if (o === "p" && e.shiftKey) return Ll();
+  let r = e.shiftKey && Ra[o] ? Ra[o] : Cl[o];
   r && !(e.target instanceof HTMLButtonElement && o === "enter") && Fe(e, r);
 }
-function $l() {
+function Ll() {
   let [e, t] = ke.peek(), n = Kt(e / 2, t / 2);
   n && De("point", n, (o) => o.hit && vo(e / 2, t / 2, o));
 }
 function Fe(e, t) {
   e.preventDefault(), B(t);
 }
-function Ll(e) {
+function Vl(e) {
   qt.delete(e.code), e.key === "\\" && mn(!1), e.key.toLowerCase() === "l" && ho(!1), e.key === "Shift" && (bo = 1);
 }
-function Fa() {
-  addEventListener("keydown", Pl), addEventListener("keyup", Ll), addEventListener("blur", () => {
+function qa() {
+  addEventListener("keydown", $l), addEventListener("keyup", Vl), addEventListener("blur", () => {
     qt.clear(), ho(!1), mn(!1);
   }), navigator.keyboard?.getLayoutMap().then((t) => {
-    Ka.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
+    Da.value = ["KeyW", "KeyA", "KeyS", "KeyD"].map((n) => (t.get(n) ?? n.slice(3)).toUpperCase()).join(" ");
   }).catch(() => {
   });
 }
-function Vl(e, t) {
+function Il(e, t) {
   for (let n of ["KeyW", "KeyS", "KeyA", "KeyD"]) qt.delete(n);
   bo = Math.min(1, Math.hypot(e, t)), e > 0.2 && Sn("KeyW"), e < -0.2 && Sn("KeyS"), t < -0.2 && Sn("KeyA"), t > 0.2 && Sn("KeyD");
 }
 
 // src/levels.ts
-var Ir = (e) => Math.min(1, no.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Rr = (e) => {
+var Rr = (e) => Math.min(1, no.value === "square" ? Math.sqrt(Math.max(e, 0)) : e), Ar = (e) => {
   let t = no.peek() === "square" ? e * e : e;
   return Math.round(t * 1e3) / 1e3;
-}, Il = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.level ?? 0, yo = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.name ?? "";
-function Ar(e) {
+}, Rl = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.level ?? 0, yo = (e) => (e.kind === "lamp" ? k.get(e.id) : D.get(e.id))?.name ?? "";
+function Hr(e) {
   let t = le.peek();
   return e.kind === "lamp" && E.peek()?.kind === "lamp" && t.length > 1 && t.includes(e.id) ? t : [e.id];
 }
-function Na(e, t, n) {
+function Ua(e, t, n) {
   if (e.kind === "group") return { groups: { [e.id]: { level: t } } };
   let o = n.get(e.id) ?? 0, r = {};
   for (let [i, a] of n) {
@@ -2230,7 +2230,7 @@ function Na(e, t, n) {
 var Mn = class {
   constructor(t) {
     this.strip = t;
-    this.was = this.now = Il(t), this.from = t.kind === "lamp" ? new Map(Ar(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${yo(t)} level`);
+    this.was = this.now = Rl(t), this.from = t.kind === "lamp" ? new Map(Hr(t).map((n) => [n, k.get(n)?.level ?? 0])) : /* @__PURE__ */ new Map(), this.gesture = new Be(`${yo(t)} level`);
   }
   strip;
   gesture;
@@ -2238,7 +2238,7 @@ var Mn = class {
   was;
   now;
   to(t) {
-    this.now = t, this.gesture.set(Na(this.strip, t, this.from));
+    this.now = t, this.gesture.set(Ua(this.strip, t, this.from));
   }
   end() {
     let t = this.from.size > 1 ? io([...this.from.keys()]) : yo(this.strip);
@@ -2249,10 +2249,10 @@ var Mn = class {
   }
 };
 function _o(e, t) {
-  let n = new Map(Ar(e).map((o) => [o, k.get(o)?.level ?? 0]));
-  sr(`level ${e.kind} ${e.id}`, `${yo(e)} level`, Na(e, t, n));
+  let n = new Map(Hr(e).map((o) => [o, k.get(o)?.level ?? 0]));
+  sr(`level ${e.kind} ${e.id}`, `${yo(e)} level`, Ua(e, t, n));
 }
-function Hr(e, t) {
+function Kr(e, t) {
   if (!e.length) return;
   let n = Object.fromEntries(e.map((r) => {
     let i = k.get(r);
@@ -2260,22 +2260,22 @@ function Hr(e, t) {
   })), o = e.length === 1 ? ` ${Re(k.get(e[0])?.level ?? 0)} → ${Re(n[e[0]].level)} %` : " level";
   Le(`${io(e)}${o}`, { lamps: n });
 }
-function Kr(e, t) {
+function Or(e, t) {
   let n = t(D.get(e)?.level ?? 0);
   Le(`${D.get(e)?.name ?? "Group"} ${Re(n)} %`, { groups: { [e]: { level: n } } });
 }
-function Or(e, t) {
+function Dr(e, t) {
   let n = `${yo(e)} ${t ? "on" : "off"}`;
-  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Ar(e).map((o) => [o, { on: t }])) });
+  e.kind === "group" ? Le(n, { groups: { [e.id]: { on: t } } }) : Le(n, { lamps: Object.fromEntries(Hr(e).map((o) => [o, { on: t }])) });
 }
 
 // src/row.tsx
-function Dr(e) {
+function Fr(e) {
   let t = e.color;
   return t.mode === "kelvin" ? `${G(t.kelvin)} K` : t.mode === "rgb" ? "RGB" : t.mode === "xy" ? "x y" : "file";
 }
 var wo = (e) => e.free ? "re-mix: level and colour cost no ray" : "re-trace: its light is traced anew";
-function Fr(e, t, n) {
+function Nr(e, t, n) {
   let { kind: o, id: r } = e, i = o === "lamp" ? k.get(r) : void 0, a = o === "group" ? D.get(r) : void 0, s = i ?? a;
   if (!s) return null;
   let p = a?.lamps ?? [r], u = E.value?.kind === o && E.value.ids.includes(r), c = _e.value.length > 0 && !p.some((m) => _e.value.includes(m)), d = me.value?.kind === o && me.value.id === r;
@@ -2300,11 +2300,11 @@ function Fr(e, t, n) {
     state: `depth-${e.depth} ${o} ${u ? "selected" : ""} ${s.on && !i?.parked ? "" : "off"} ${c ? "muted" : ""} ${d ? "under" : ""}`
   };
 }
-function Nr({ of: { row: e, entry: t, stop: n } }) {
+function qr({ of: { row: e, entry: t, stop: n } }) {
   let o = Ge.value;
-  return l("button", { class: "icon power", tabIndex: n, "aria-pressed": t.on, disabled: o !== null, "aria-label": `${t.name} on`, title: o ?? (t.on ? "On (O)" : "Off (O)"), onClick: () => Or(e, !t.on), children: l(z, { name: "power" }) });
+  return l("button", { class: "icon power", tabIndex: n, "aria-pressed": t.on, disabled: o !== null, "aria-label": `${t.name} on`, title: o ?? (t.on ? "On (O)" : "Off (O)"), onClick: () => Dr(e, !t.on), children: l(z, { name: "power" }) });
 }
-function qr({ of: { row: e, entry: t, lamp: n, flux: o, selected: r }, label: i, tabIndex: a }) {
+function Ur({ of: { row: e, entry: t, lamp: n, flux: o, selected: r }, label: i, tabIndex: a }) {
   let s = () => r && le.peek().length > 1 ? le.peek() : [e.id];
   return l(
     wn,
@@ -2317,31 +2317,31 @@ function qr({ of: { row: e, entry: t, lamp: n, flux: o, selected: r }, label: i,
       disabled: Ge.value !== null,
       why: Ge.value,
       tabIndex: a,
-      set: (p) => n ? Hr(s(), p) : Kr(e.id, p)
+      set: (p) => n ? Kr(s(), p) : Or(e.id, p)
     }
   );
 }
 
 // src/swatch.ts
-var Rl = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Al = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Hl = (e) => Math.round(255 * Rl(Math.max(0, Math.min(1, e))));
-function Ur(e) {
+var Al = (e) => e <= 31308e-7 ? 12.92 * e : 1.055 * e ** 0.4166666666666667 - 0.055, Hl = (e) => e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4, Kl = (e) => Math.round(255 * Al(Math.max(0, Math.min(1, e))));
+function jr(e) {
   let t = Math.max(...e, 1e-6);
-  return qa(e.map((n) => n / t));
+  return ja(e.map((n) => n / t));
 }
-function qa(e) {
-  return `#${e.map((t) => Hl(t).toString(16).padStart(2, "0")).join("")}`;
+function ja(e) {
+  return `#${e.map((t) => Kl(t).toString(16).padStart(2, "0")).join("")}`;
 }
-function Kl(e) {
-  let t = (n) => Al(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
+function Ol(e) {
+  let t = (n) => Hl(parseInt(e.slice(1 + 2 * n, 3 + 2 * n), 16) / 255);
   return [t(0), t(1), t(2)];
 }
-var Ol = (e) => 1e6 / e;
+var Dl = (e) => 1e6 / e;
 
 // src/range.tsx
-var Ua = -1e9;
-addEventListener("scroll", () => Ua = performance.now(), { capture: !0, passive: !0 });
+var Wa = -1e9;
+addEventListener("scroll", () => Wa = performance.now(), { capture: !0, passive: !0 });
 var Ut = (e) => Math.max(0, Math.min(1, e));
-function jr(e) {
+function Wr(e) {
   let t = ne(null), n = ne(null), o = e.notch ?? 0.01, r = (u) => {
     if (u.button !== 0 || e.disabled) return;
     let c = u.currentTarget.getBoundingClientRect(), d = e.vertical ? (c.bottom - u.clientY - 8) / (c.height - 16) : (u.clientX - c.left - 6) / (c.width - 12), m = u.pointerType !== "touch" && !u.shiftKey;
@@ -2361,7 +2361,7 @@ function jr(e) {
     let c = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[u.key], d = null;
     c && (d = Ut(e.value + c * o * (u.shiftKey ? 10 : 1))), u.key === "Home" && (d = 0), u.key === "End" && (d = 1), !(d === null || u.altKey || u.ctrlKey || u.metaKey) && (u.preventDefault(), u.stopPropagation(), e.on(d));
   }, p = (u) => {
-    if (performance.now() - Ua < 400 || u.ctrlKey) return;
+    if (performance.now() - Wa < 400 || u.ctrlKey) return;
     u.preventDefault();
     let c = Math.abs(u.deltaY) >= Math.abs(u.deltaX) ? u.deltaY : u.deltaX;
     c && e.on(Ut(e.value - Math.sign(c) * o * (u.shiftKey ? 0.2 : 1)));
@@ -2398,17 +2398,17 @@ function jr(e) {
 }
 
 // src/faderrow.tsx
-function ja({ row: e, index: t, count: n }) {
-  let o = ne(null), r = Fr(e, t, n);
+function Ba({ row: e, index: t, count: n }) {
+  let o = ne(null), r = Nr(e, t, n);
   if (!r) return null;
   let { lamp: i, group: a, entry: s, members: p, lumens: u } = r, c = p.length > 0 && p.every((m) => _e.value.includes(m)), d = (m) => () => {
     o.current?.[m](), o.current = null;
   };
   return l("div", { class: `fader-row ${r.state}`, ...r.frame, children: [
-    l(Nr, { of: r }),
+    l(qr, { of: r }),
     l("div", { class: "top", children: [
-      a && l("button", { class: "icon fold", "aria-expanded": !dt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Wa(e.id), children: l(z, { name: dt.value.has(e.id) ? "right" : "down" }) }),
-      l("button", { class: "row-name", "aria-pressed": r.selected, title: i ? `${i.name}: ${wo(i)}` : s.name, onClick: (m) => Wr(m, e.kind, e.id), children: [
+      a && l("button", { class: "icon fold", "aria-expanded": !dt.value.has(e.id), "aria-label": `Members of ${s.name}`, onClick: () => Ga(e.id), children: l(z, { name: dt.value.has(e.id) ? "right" : "down" }) }),
+      l("button", { class: "row-name", "aria-pressed": r.selected, title: i ? `${i.name}: ${wo(i)}` : s.name, onClick: (m) => Br(m, e.kind, e.id), children: [
         l("span", { children: s.name }),
         a && l("small", { children: p.length }),
         i?.parked && l("small", { children: "parked" }),
@@ -2418,23 +2418,23 @@ function ja({ row: e, index: t, count: n }) {
         ] })
       ] }),
       i && l("span", { class: "tint", children: [
-        l("i", { class: "swatch", style: { background: Ur(i.swatch) } }),
-        Dr(i)
+        l("i", { class: "swatch", style: { background: jr(i.swatch) } }),
+        Fr(i)
       ] }),
-      l("button", { class: "icon solo", tabIndex: r.stop, "aria-pressed": c, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Er(p), children: l(z, { name: "solo" }) })
+      l("button", { class: "icon solo", tabIndex: r.stop, "aria-pressed": c, "aria-label": `Solo ${s.name}`, title: "Solo (I)", onClick: () => Tr(p), children: l(z, { name: "solo" }) })
     ] }),
     l("div", { class: "bottom", children: [
       l(
-        jr,
+        Wr,
         {
           label: `${s.name} level`,
           class: "level",
-          value: Ir(s.level),
+          value: Rr(s.level),
           text: `${Re(s.level)} %, ${Ye(u)} lumen`,
           notch: 0.01,
           disabled: Ge.value !== null,
           on: (m) => {
-            let f = Rr(m);
+            let f = Ar(m);
             o.current ? o.current.to(f) : _o(e, f);
           },
           reset: () => _o(e, 1),
@@ -2443,15 +2443,15 @@ function ja({ row: e, index: t, count: n }) {
           cancel: d("cancel")
         }
       ),
-      l(qr, { of: r, label: "level, typed", tabIndex: r.stop }),
+      l(Ur, { of: r, label: "level, typed", tabIndex: r.stop }),
       l("span", { class: "lumens", children: _n(u, "flux") })
     ] })
   ] });
 }
 
 // src/virtual.tsx
-var Ba = 4;
-function Br({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
+var za = 4;
+function Gr({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }) {
   let a = ne(null), s = nt(0), p = nt(600);
   Ce(() => {
     let d = a.current, m = new ResizeObserver(() => p.value = d.clientHeight);
@@ -2462,12 +2462,12 @@ function Br({ count: e, height: t, row: n, label: o, show: r, role: i = "list" }
     let m = r * t;
     (m < d.scrollTop || m + t > d.scrollTop + d.clientHeight) && (d.scrollTop = Math.max(0, m - d.clientHeight / 2));
   }, [r, t]);
-  let u = Math.max(0, Math.floor(s.value / t) - Ba), c = Math.min(e, Math.ceil((s.value + p.value) / t) + Ba);
+  let u = Math.max(0, Math.floor(s.value / t) - za), c = Math.min(e, Math.ceil((s.value + p.value) / t) + za);
   return l("div", { class: "virtual", ref: a, tabIndex: e ? void 0 : -1, onScroll: (d) => s.value = d.currentTarget.scrollTop, children: l("div", { class: "all", role: i, "aria-label": o, style: { height: `${e * t}px` }, children: l("div", { class: "rows", role: "presentation", style: { transform: `translateY(${u * t}px)` }, children: Array.from({ length: Math.max(0, c - u) }, (d, m) => n(u + m)) }) }) });
 }
 
 // src/lamps.tsx
-var ko = g(""), dt = g(/* @__PURE__ */ new Set()), xo = g("group"), za = N(() => {
+var ko = g(""), dt = g(/* @__PURE__ */ new Set()), xo = g("group"), Ya = N(() => {
   let e = ko.value.trim().toLowerCase(), t = k.listed(), n = D.listed(), o = new Map(n.map(([s, p]) => [s, p.name])), r = new Map(t.filter(([, s]) => !e || `${s.name} ${s.kind} ${o.get(s.group ?? -1) ?? ""}`.toLowerCase().includes(e)));
   if (xo.value !== "group" && $t.value === "sheet") {
     let s = xo.value, p = [...r];
@@ -2487,28 +2487,28 @@ var ko = g(""), dt = g(/* @__PURE__ */ new Set()), xo = g("group"), za = N(() =>
   }
   for (let [s] of r) a.has(s) || i.push({ kind: "lamp", id: s, depth: 0 });
   return i;
-}), Ga = !1;
+}), Xa = !1;
 D.ids.subscribe((e) => {
-  Ga || !e.length || (Ga = !0, k.ids.peek().length > 40 && (dt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
+  Xa || !e.length || (Xa = !0, k.ids.peek().length > 40 && (dt.value = new Set(e.filter((t) => (D.get(t)?.lamps.length ?? 0) > 1))));
 });
-function Wa(e) {
+function Ga(e) {
   let t = new Set(dt.peek());
   t.delete(e) || t.add(e), dt.value = t;
 }
-function Wr(e, t, n) {
-  e.shiftKey ? ca(t, za.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
+function Br(e, t, n) {
+  e.shiftKey ? pa(t, Ya.peek().filter((o) => o.kind === t).map((o) => o.id), n) : ze(t, n, e.ctrlKey || e.metaKey ? "toggle" : "only");
 }
-function Dl(e) {
+function Fl(e) {
   let t = { ArrowDown: 1, ArrowUp: -1 }[e.key], n = e.target;
   if (!t || !n.matches(".row-name")) return;
   e.preventDefault();
   let o = [...e.currentTarget.querySelectorAll(".row-name")];
   o[o.indexOf(n) + t]?.focus();
 }
-var Fl = ["add-spot", "add-point", "add-disc", "add-sphere"];
-function Xa() {
-  let e = za.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = $t.value === "sheet";
-  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Dl, children: [
+var Nl = ["add-spot", "add-point", "add-disc", "add-sphere"];
+function Qa() {
+  let e = Ya.value, t = E.value?.ids[E.value.ids.length - 1], n = e.findIndex((i) => i.kind === E.value?.kind && i.id === t), o = matchMedia("(pointer: coarse)").matches, r = $t.value === "sheet";
+  return l("section", { class: "panel lamps", "aria-label": "Lamps", onKeyDown: Fl, children: [
     l("header", { class: "panel-head", children: [
       l("h2", { children: [
         "Lamps ",
@@ -2541,7 +2541,7 @@ function Xa() {
         l("option", { value: "level", children: "by level" })
       ] }),
       l(Nt, { id: "add-menu", label: "Add", title: "Add a lamp", children: [
-        Fl.map((i) => l(Cr, { id: i }, i)),
+        Nl.map((i) => l(Er, { id: i }, i)),
         l("button", { class: "item", "aria-disabled": "true", title: "Photometric files come with a later version", children: [
           l("span", { children: "IES or LDT file…" }),
           l("kbd", { children: "later" })
@@ -2550,14 +2550,14 @@ function Xa() {
     ] }),
     r && l(Z, { part: "SheetHead" }),
     l(
-      Br,
+      Gr,
       {
         label: "Lamps and groups",
         count: e.length,
         height: r ? o ? 44 : 28 : o ? 84 : 54,
         show: n,
         row: (i) => {
-          let a = e[i], s = r ? kr("SheetRow") : ja;
+          let a = e[i], s = r ? xr("SheetRow") : Ba;
           return s && l(s, { row: a, index: i, count: e.length }, `${a.kind}${a.id}`);
         }
       }
@@ -2573,10 +2573,10 @@ function Xa() {
 }
 
 // src/states.ts
-var En = g(null), Qe = g([]), Tn = g(null), zr = g(null), Gr = N(() => Te.value?.stage ?? "loading"), Ya = g(!1), Cn = 0;
+var En = g(null), Qe = g([]), Tn = g(null), Xr = g(null), zr = N(() => Te.value?.stage ?? "loading"), Ja = g(!1), Cn = 0;
 L(() => {
   let e = Te.value?.fps ?? 0;
-  Gr.value === "moving" && e > 6 && Pt.value < 0.4 * e && Pt.value < 5 ? Cn || (Cn = performance.now()) : Cn = 0, Ya.value = Cn > 0 && performance.now() - Cn > 2e3;
+  zr.value === "moving" && e > 6 && Pt.value < 0.4 * e && Pt.value < 5 ? Cn || (Cn = performance.now()) : Cn = 0, Ja.value = Cn > 0 && performance.now() - Cn > 2e3;
 });
 var jt = N(() => {
   switch (j.value) {
@@ -2587,7 +2587,7 @@ var jt = N(() => {
     default:
       return j.value;
   }
-  return !te.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : En.value !== null ? "broken" : Tn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Xi.value ? "all-off" : Ya.value ? "slow" : Gr.value === "loading" ? "first" : Gr.value;
+  return !te.value || !W.value ? "loading" : it.value.state === "failed" ? "unsaved" : En.value !== null ? "broken" : Tn.value !== null && !F.value.you ? "control-lost" : pe.value === "watch" || !F.value.you ? "watching" : k.ids.value.length === 0 ? "no-lamps" : Qi.value ? "all-off" : Ja.value ? "slow" : zr.value === "loading" ? "first" : zr.value;
 });
 Se("event", (e) => {
   switch (e.what) {
@@ -2604,7 +2604,7 @@ Se("event", (e) => {
       Tn.value = e.by ?? F.peek().name ?? "somebody else";
       break;
     case "loading":
-      zr.value = e;
+      Xr.value = e;
       break;
   }
 });
@@ -2620,10 +2620,10 @@ function Pn(e, t, n) {
   if (!o) return n(null);
   De("point", o, (r) => n(r.hit ? r : null));
 }
-function Qa(e) {
+function Za(e) {
   if (!e) return "";
   let t = [], n = k.get(e.lamp)?.name, o = ye.get(e.thing)?.name, r = kt.get(e.material)?.name;
-  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${pt(e.lux[0])} ±${pt(e.lux[1], !1)}`), e.change != null && t.push(`Δ ${Sr(e.change * fn.peek())}`), e.luminance) {
+  if (n && t.push(n), o && o !== n && t.push(o), r && r !== o && t.push(r), e.lux && t.push(`${pt(e.lux[0])} ±${pt(e.lux[1], !1)}`), e.change != null && t.push(`Δ ${Mr(e.change * fn.peek())}`), e.luminance) {
     let i = e.luminance[0] * (Lt.value === "fc" ? 0.2919 : 1);
     t.push(`${Ye(i)} ${Lt.value === "fc" ? "fL" : "cd/m²"}`);
   }
@@ -2631,7 +2631,7 @@ function Qa(e) {
 }
 
 // src/status.tsx
-var Ja = N(() => {
+var es = N(() => {
   W.value;
   let e = [];
   for (let t of ie.sent.slice(-24)) {
@@ -2641,7 +2641,7 @@ var Ja = N(() => {
   }
   return e.sort((t, n) => t - n), e.length ? e[e.length >> 1] : null;
 });
-function Nl() {
+function ql() {
   let e = Te.value;
   if (!e) return "starting";
   let t = e.error == null ? "" : ` ±${G((e.error ?? 0) * 100, e.error < 0.0995 ? 1 : 0)} %`;
@@ -2658,20 +2658,20 @@ function Nl() {
       return `finished${t}`;
   }
 }
-function Za() {
+function ts() {
   let e = Te.value, t = W.value?.head, n = an.value.filter((r) => r.batches < r.of && !r.held).length, o = e?.stage === "refining" && e.good_in ? Math.max(0.02, 1 / (1 + e.good_in)) : e?.stage === "good" || e?.stage === "done" ? 1 : 0.02;
   return l("footer", { class: "status", "aria-label": "Status", children: [
     l("span", { class: `quality ${e?.stage ?? ""}`, children: [
       l("i", { class: "thin", "aria-hidden": "true", children: l("b", { style: { width: `${o * 100}%` } }) }),
-      Nl()
+      ql()
     ] }),
     l("span", { children: [
       G(t?.batches ?? e?.batches ?? 0),
       " batches"
     ] }),
     l("span", { children: j.value === "open" ? `${G(Pt.value)} fps` : "no line" }),
-    Ja.value !== null && l("span", { title: "From the hand to the paint, median", children: [
-      G(Ja.value),
+    es.value !== null && l("span", { title: "From the hand to the paint, median", children: [
+      G(es.value),
       " ms"
     ] }),
     t && l("span", { children: [
@@ -2684,7 +2684,7 @@ function Za() {
       " layers",
       n ? `, ${n} tracing` : ""
     ] }),
-    l("span", { class: "probe", "aria-live": "off", children: Qa(So.value) }),
+    l("span", { class: "probe", "aria-live": "off", children: Za(So.value) }),
     l("span", { class: "gap" }),
     l("span", { children: F.value.you ? "editing: you" : `editing: ${F.value.name ?? "somebody else"}` }),
     l("span", { class: "spoken", children: [
@@ -2696,11 +2696,11 @@ function Za() {
 }
 
 // src/pointer.ts
-var ql = 4, es = 35e-4, Ul = 0.15;
-function jl(e, t, n) {
+var Ul = 4, ns = 35e-4, jl = 0.15;
+function Wl(e, t, n) {
   return e === "maya" && n.alt ? ["orbit", "pan", "dolly"][t] ?? "none" : e === "blender" && t === 1 ? n.shift ? "pan" : n.ctrl ? "dolly" : "orbit" : t === 1 ? n.shift ? "pan" : "orbit" : t === 2 ? "look" : t === 0 ? n.alt ? "orbit" : n.space ? "pan" : n.shift || n.ctrl ? "none" : "look" : "none";
 }
-function ts(e, t) {
+function os(e, t) {
   let n = /* @__PURE__ */ new Map(), o = Ot(), r = 3, i = !1, a = 0, s = 0, p = 0, u = null, c = (h) => {
     let v = e.getBoundingClientRect();
     return [h.clientX - v.left, h.clientY - v.top];
@@ -2717,7 +2717,7 @@ function ts(e, t) {
   function f(h) {
     if (h.target.closest("[data-handle]")) return;
     e.focus({ preventScroll: !0 });
-    let [v, T] = c(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, R = P ? "look" : jl(to.peek(), h.button, $);
+    let [v, T] = c(h), P = h.pointerType === "touch", $ = { alt: h.altKey, shift: h.shiftKey, ctrl: h.ctrlKey || h.metaKey, space: i }, R = P ? "look" : Wl(to.peek(), h.button, $);
     R === "look" && oe()?.height && (R = "pan"), X.peek() === "marquee" && h.button === 0 && (R = "none"), n.set(h.pointerId, {
       id: h.pointerId,
       button: h.button,
@@ -2749,7 +2749,7 @@ function ts(e, t) {
       return;
     }
     let [$, R] = [T - v.x, P - v.y];
-    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < ql)) {
+    if (!(!v.moved && Math.hypot(T - v.startX, P - v.startY) < Ul)) {
       if (v.moved = !0, v.x = T, v.y = P, n.size === 2 && u) {
         let A = b();
         Dt(A.x - u.x, A.y - u.y, r), A.gap > 8 && u.gap > 8 && w(A.x, A.y, u.gap / A.gap, !1), u = A;
@@ -2762,7 +2762,7 @@ function ts(e, t) {
       switch (v.motion) {
         case "look": {
           let A = v.touch ? 1 : -1;
-          ao(A * $ * es, A * R * es);
+          ao(A * $ * ns, A * R * ns);
           break;
         }
         case "orbit":
@@ -2807,13 +2807,13 @@ function ts(e, t) {
     if (!S || A - S.time > 500 || Math.hypot(h - S.x, v - S.y) > 6) {
       S = { x: h, y: v, time: A, point: null };
       let ht = S;
-      d(h, v, (ei) => {
-        ht.point = ei.point, r = m(ei.point);
+      d(h, v, (ni) => {
+        ht.point = ni.point, r = m(ni.point);
       });
     }
     S.time = A;
-    let [fs, ps] = [h - R.width / 2, R.height / 2 - v], ds = Math.min(r, He($.eye, Ot()) + 1), Mo = (ht) => $.eye[ht] + (R.forward[ht] + R.side[ht] * fs * R.pixel + R.up[ht] * ps * R.pixel) * ds, Zr = S.point ?? [Mo(0), Mo(1), Mo(2)];
-    J(Wn($, Zr, T, Ul, P)), P && He($.eye, Zr) < 0.5 && (S = null);
+    let [ps, ds] = [h - R.width / 2, R.height / 2 - v], ms = Math.min(r, He($.eye, Ot()) + 1), Mo = (ht) => $.eye[ht] + (R.forward[ht] + R.side[ht] * ps * R.pixel + R.up[ht] * ds * R.pixel) * ms, ti = S.point ?? [Mo(0), Mo(1), Mo(2)];
+    J(Wn($, ti, T, jl, P)), P && He($.eye, ti) < 0.5 && (S = null);
   }
   function M(h) {
     if (h.target.closest("[data-scroll]")) return;
@@ -2839,13 +2839,13 @@ function ts(e, t) {
 }
 
 // src/overlay.ts
-var Wl = "http://www.w3.org/2000/svg";
+var Bl = "http://www.w3.org/2000/svg";
 function xe(e, t = {}, n) {
-  let o = document.createElementNS(Wl, e);
+  let o = document.createElementNS(Bl, e);
   for (let [r, i] of Object.entries(t)) o.setAttribute(r, String(i));
   return n?.append(o), o;
 }
-var Yr = class {
+var Qr = class {
   view;
   fit;
   constructor(t) {
@@ -2867,23 +2867,23 @@ var Yr = class {
     return !p || !u ? "" : `M${p[0].toFixed(1)} ${p[1].toFixed(1)}L${u[0].toFixed(1)} ${u[1].toFixed(1)}`;
   }
 };
-function Qr() {
+function Jr() {
   let e = W.value;
-  return ke.value, e ? new Yr(_t(e.camera, e.head.width, e.head.height)) : null;
+  return ke.value, e ? new Qr(_t(e.camera, e.head.width, e.head.height)) : null;
 }
-function ns() {
-  let e = ue(Qr);
+function rs() {
+  let e = ue(Jr);
   return e ? k.all().flatMap(([t, n]) => {
-    let o = os(n), r = o && e.at(o);
+    let o = is(n), r = o && e.at(o);
     return r ? [{ id: t, at: r }] : [];
   }) : null;
 }
-var os = gr, Bl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
-function Xr(e, t) {
+var is = gr, Gl = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+function Yr(e, t) {
   let n = yt(t);
-  return Bl.map(([o, r]) => e.line(n[o], n[r])).join("");
+  return Gl.map(([o, r]) => e.line(n[o], n[r])).join("");
 }
-var Gl = 150, $n = class {
+var zl = 150, $n = class {
   constructor(t, n, o) {
     this.parent = t;
     this.kind = n;
@@ -2914,16 +2914,16 @@ var Gl = 150, $n = class {
       n.has(o) || (r.group.remove(), this.marks.delete(o));
   }
 };
-function rs(e) {
+function as(e) {
   let t = xe("path", { class: "aims" }, e), n = xe("path", { class: "boxes" }, e), o = xe("path", { class: "boxes hover" }, e), r = xe("path", { class: "grid-lines" }, e), i = new $n(xe("g", {}, e), "lamp", (c) => xe("circle", { r: 4.5 }, c)), a = new $n(xe("g", {}, e), "grid", () => {
   }), s = new $n(xe("g", {}, e), "meter", (c) => {
     xe("circle", { r: 5.5 }, c), xe("path", { d: "M-9 0H9M0 -9V9" }, c);
   }), p = L(() => {
-    let c = Qr();
+    let c = Jr();
     if (!c) return;
-    let d = E.value, m = me.value, f = "", b = "", y = k.ids.value.length <= Gl, x = k.all().map(([w, M]) => {
-      let I = d?.kind === "lamp" ? d.ids.includes(w) : d?.kind === "group" && d.ids.includes(M.group ?? -1), Me = m?.kind === "lamp" ? m.id === w : m?.kind === "group" && m.id === M.group, Je = os(M), fe = M.place?.position;
-      if (I && M.box && (b += Xr(c, M.box)), fe && M.place?.direction && (I || Me)) {
+    let d = E.value, m = me.value, f = "", b = "", y = k.ids.value.length <= zl, x = k.all().map(([w, M]) => {
+      let I = d?.kind === "lamp" ? d.ids.includes(w) : d?.kind === "group" && d.ids.includes(M.group ?? -1), Me = m?.kind === "lamp" ? m.id === w : m?.kind === "group" && m.id === M.group, Je = is(M), fe = M.place?.position;
+      if (I && M.box && (b += Yr(c, M.box)), fe && M.place?.direction && (I || Me)) {
         let v = M.place.aim ?? V(fe, M.place.direction);
         f += c.line(fe, v);
       }
@@ -2933,13 +2933,13 @@ function rs(e) {
     if (i.draw(x), t.setAttribute("d", f), d?.kind === "thing")
       for (let w of d.ids) {
         let M = ye.get(w)?.box;
-        M && (b += Xr(c, M));
+        M && (b += Yr(c, M));
       }
     n.setAttribute("d", b);
     let S = m?.kind === "lamp" ? k.get(m.id)?.box : m?.kind === "thing" ? ye.get(m.id)?.box : null;
-    o.setAttribute("d", S ? Xr(c, S) : "");
+    o.setAttribute("d", S ? Yr(c, S) : "");
   }), u = L(() => {
-    let c = Qr();
+    let c = Jr();
     if (!c) return;
     let d = E.value, m = (b, y) => d?.kind === b && d.ids.includes(y) ? "selected" : "";
     s.draw(Mt.all().map(([b, y]) => ({
@@ -2950,7 +2950,7 @@ function rs(e) {
     })));
     let f = "";
     a.draw(zn.all().map(([b, y]) => {
-      f += zl(c, y);
+      f += Xl(c, y);
       let x = y.mean == null ? "…" : `${y.name} ${pt(y.mean)}`;
       return { id: b, at: c.at(y.corner), label: x, state: m("grid", b) };
     })), r.setAttribute("d", f);
@@ -2959,18 +2959,18 @@ function rs(e) {
     p(), u(), e.replaceChildren();
   };
 }
-function is({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
+function ss({ corner: e, u: t, v: n, columns: o, rows: r, border: i = 0 }, a, s) {
   let p = (u, c, d) => {
     let m = be(u) > 2 * i ? i / be(u) : 0;
     return _(u, m + (1 - 2 * m) * (c + 0.5) / d);
   };
   return V(e, V(p(t, a, o), p(n, s, r)));
 }
-function zl(e, t) {
+function Xl(e, t) {
   let n = (r, i) => V(t.corner, V(_(t.u, r), _(t.v, i))), o = e.line(n(0, 0), n(1, 0)) + e.line(n(1, 0), n(1, 1)) + e.line(n(1, 1), n(0, 1)) + e.line(n(0, 1), n(0, 0));
   for (let r = 0; r < t.rows; r++)
     for (let i = 0; i < t.columns; i++) {
-      let a = e.at(is(t, i, r));
+      let a = e.at(ss(t, i, r));
       a && (o += `M${(a[0] - 2).toFixed(1)} ${a[1].toFixed(1)}h4m-2 -2v4`);
     }
   return o;
@@ -2980,20 +2980,20 @@ function zl(e, t) {
 function ce({ tone: e, children: t }) {
   return l("div", { class: `banner ${e}`, role: e === "warn" ? "alert" : "status", children: t });
 }
-var as = () => `lampyris view ${te.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
-function Xl() {
+var ls = () => `lampyris view ${te.peek()?.file ?? "SCENE"} --port ${location.port || 80}`;
+function Yl() {
   let e = k.all().filter(([, n]) => !n.on || n.level === 0 || n.parked), t = D.all().filter(([, n]) => !n.on || n.level === 0);
   Le("All lamps on", {
     lamps: Object.fromEntries(e.map(([n, o]) => [n, { on: !0, parked: !1, ...o.level === 0 ? { level: 1 } : {} }])),
     groups: Object.fromEntries(t.map(([n, o]) => [n, { on: !0, ...o.level === 0 ? { level: 1 } : {} }]))
   });
 }
-function Yl() {
+function Ql() {
   switch (jt.value) {
     case "starting":
       return l(ce, { tone: "calm", children: "Entering…" });
     case "loading": {
-      let e = zr.value;
+      let e = Xr.value;
       return l(ce, { tone: "calm", children: [
         "Reading ",
         e?.file ?? te.value?.file ?? "the scene",
@@ -3012,11 +3012,11 @@ function Yl() {
       return l(ce, { tone: "warn", children: [
         l("span", { children: [
           "The program has ended. Start it again with ",
-          l("code", { children: as() }),
+          l("code", { children: ls() }),
           ": this page comes back by itself."
         ] }),
         l("button", { onClick: () => {
-          wr(as());
+          wr(ls());
         }, children: "Copy" })
       ] });
     case "denied":
@@ -3079,7 +3079,7 @@ function Yl() {
       return l(ce, { tone: "warn", children: [
         "All lamps are off.",
         rt.value.undo && l("button", { onClick: () => B("undo"), children: "Undo" }),
-        l("button", { onClick: Xl, children: "Turn on" })
+        l("button", { onClick: Yl, children: "Turn on" })
       ] });
     case "slow":
       return l(ce, { tone: "calm", children: [
@@ -3091,10 +3091,10 @@ function Yl() {
       return null;
   }
 }
-function ss() {
+function us() {
   let e = _e.value;
   return l("div", { class: "banners", "data-scroll": !0, children: [
-    Yl(),
+    Ql(),
     Qe.value.length > 0 && l(ce, { tone: "calm", children: [
       l("details", { children: [
         l("summary", { children: [
@@ -3108,7 +3108,7 @@ function ss() {
     e.length > 0 && l("div", { class: "banner badge", role: "status", children: [
       "Solo: ",
       e.length === 1 ? k.get(e[0])?.name ?? "one lamp" : `${e.length} lamps`,
-      l("button", { onClick: Tr, children: "End solo" })
+      l("button", { onClick: Pr, children: "End solo" })
     ] }),
     l("div", { class: "notes", role: "status", "aria-live": "polite", children: ut.value.map((t) => l("div", { class: `banner ${t.tone === "warn" ? "warn" : "calm"}`, children: [
       t.text,
@@ -3118,20 +3118,20 @@ function ss() {
 }
 
 // src/view.tsx
-var ls = g(null);
-function Ql(e, t) {
-  let n = ns();
+var cs = g(null);
+function Jl(e, t) {
+  let n = rs();
   if (!n) return [];
   let [o, r] = [Math.min(e[0], t[0]), Math.max(e[0], t[0])], [i, a] = [Math.min(e[1], t[1]), Math.max(e[1], t[1])];
   return n.filter(({ at: s }) => s[0] >= o && s[0] <= r && s[1] >= i && s[1] <= a).map(({ id: s }) => s);
 }
-var Jl = {
+var Zl = {
   click(e, t, n) {
-    let o = Jr(e, t);
+    let o = Zr(e, t);
     if (X.peek() === null && o) return ze(o.kind, o.id, n);
     Pn(e, t, (r) => {
-      if (r && (hn.value = { point: r.point, normal: r.normal }), X.peek() !== null) return ya(r);
-      pa(r, n), E.peek() && (Ie.value = "inspector");
+      if (r && (hn.value = { point: r.point, normal: r.normal }), X.peek() !== null) return wa(r);
+      ma(r, n), E.peek() && (Ie.value = "inspector");
     });
   },
   menu(e, t) {
@@ -3140,13 +3140,13 @@ var Jl = {
     });
   },
   double(e, t) {
-    if (Jr(e, t)) return B("frame");
+    if (Zr(e, t)) return B("frame");
     Pn(e, t, (n) => {
       n && (hn.value = { point: n.point, normal: n.normal }), B(n && !yn("there") ? "there" : "frame");
     });
   },
   hover(e, t) {
-    let n = Jr(e, t);
+    let n = Zr(e, t);
     n?.kind === "lamp" && (me.value = { kind: "lamp", id: n.id }), Pn(e, t, (o) => {
       So.value = o, o && (hn.value = { point: o.point, normal: o.normal }), o?.lamp != null && (me.value = { kind: "lamp", id: o.lamp });
     });
@@ -3155,12 +3155,12 @@ var Jl = {
     me.peek() && (me.value = null);
   },
   marquee(e, t, n) {
-    if (ls.value = n ? null : { from: e, to: t }, !n) return;
-    let o = Ql(e, t);
+    if (cs.value = n ? null : { from: e, to: t }, !n) return;
+    let o = Jl(e, t);
     E.value = o.length ? { kind: "lamp", ids: o } : null, X.value = null;
   }
 };
-function Jr(e, t) {
+function Zr(e, t) {
   let n = document.getElementById("overlay"), o = null, r = 11;
   for (let i of n?.querySelectorAll(".mark:not([display])") ?? []) {
     let a = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(i.getAttribute("transform") ?? "");
@@ -3170,7 +3170,7 @@ function Jr(e, t) {
   }
   return o;
 }
-var Zl = {
+var eu = {
   aim: "Click what shall be lit. Esc to leave.",
   place: "Click the surface on which the lamp shall be. Esc to leave.",
   meter: "Click where the meter shall lie. Esc to leave.",
@@ -3178,15 +3178,15 @@ var Zl = {
   add: "Click where the lamp shall hang. Esc to leave.",
   marquee: "Drag around the lamps to select. Esc to leave."
 };
-function us() {
+function fs() {
   let e = ne(null), t = ne(null), n = ne(null);
   return Ce(() => {
     Jo(t.current);
-    let o = rs(n.current), r = ts(e.current, Jl);
+    let o = as(n.current), r = os(e.current, Zl);
     return () => {
       Jo(null), o(), r();
     };
-  }, []), Ii(() => {
+  }, []), Ai(() => {
     let o = W.value;
     t.current?.setAttribute("data-kind", o?.head.kind ?? "none");
   }), l("main", { class: "view", "aria-label": "View", children: [
@@ -3206,13 +3206,13 @@ function us() {
           l("svg", { id: "overlay", ref: n, "aria-hidden": "true" }),
           l(Z, { part: "Gizmo" }),
           l(Z, { part: "Compare" }),
-          l(eu, {})
+          l(tu, {})
         ]
       }
     ),
     l("p", { id: "view-keys", class: "spoken", children: "Arrow keys look around, W A S D and Q E walk, plus and minus go nearer and farther, F frames the selection, Escape leaves the view." }),
-    X.value && l("p", { class: "hint", role: "status", children: Zl[X.value] }),
-    l(ss, {}),
+    X.value && l("p", { class: "hint", role: "status", children: eu[X.value] }),
+    l(us, {}),
     l(Z, { part: "TypedHint" }),
     l(Z, { part: "Legend" }),
     l(Z, { part: "CutBar" }),
@@ -3221,8 +3221,8 @@ function us() {
     l(Z, { part: "What" })
   ] });
 }
-function eu() {
-  let e = ls.value;
+function tu() {
+  let e = cs.value;
   if (!e) return null;
   let { from: t, to: n } = e;
   return l("svg", { class: "rubber", "aria-hidden": "true", children: l(
@@ -3237,20 +3237,20 @@ function eu() {
 }
 
 // src/main.tsx
-function tu() {
+function nu() {
   return l(Y, { children: [
-    l(Pa, {}),
-    l(Xa, {}),
-    l(us, {}),
+    l(La, {}),
+    l(Qa, {}),
+    l(fs, {}),
     l("section", { class: "panel inspector", "aria-label": "Inspector", children: l(Z, { part: "Inspector" }) }),
     l("section", { class: "strip", "aria-label": "Looks and meters", children: l(Z, { part: "Strip" }) }),
-    l(Za, {}),
+    l(ts, {}),
     l(Z, { part: "Sheets" })
   ] });
 }
 var mt = document.getElementById("desk");
 mt.replaceChildren();
-di(l(tu, {}), mt);
+hi(l(nu, {}), mt);
 L(() => {
   mt.dataset.state = jt.value, mt.dataset.line = j.value, mt.dataset.pen = pe.value === "edit" && F.value.you && !we.value ? "yes" : "no";
 });
@@ -3263,123 +3263,123 @@ L(() => {
 L(() => {
   te.value && (document.title = `${te.value.name} – Lampyris`);
 });
-var cs = 0;
+var ei = 0;
 L(() => {
   let [e, t] = ke.value, n = We.value ? Math.min(devicePixelRatio, 2) : 1;
-  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(cs), cs = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), 60));
+  j.value !== "open" || pe.value === "watch" || !F.value.you || (clearTimeout(ei), ei = window.setTimeout(() => K({ do: "size", width: Math.round(e * n), height: Math.round(t * n) }), ei && 60));
 });
-Sa();
-Fa();
-ea();
+Ca();
+qa();
+na();
 export {
   yr as DEFAULT_FALSE,
-  ma as EYE_HEIGHT,
+  va as EYE_HEIGHT,
   Mn as Fade,
   wn as Field,
   Y as Fragment,
   Be as Gesture,
   z as Icon,
-  Cr as Item,
-  qr as LevelField,
-  Os as PRESETS,
-  Nr as Power,
-  jr as Range,
-  Br as Virtual,
+  Er as Item,
+  Ur as LevelField,
+  Ds as PRESETS,
+  qr as Power,
+  Wr as Range,
+  Gr as Virtual,
   ot as across,
   B as act,
   V as add,
   hr as adding,
-  yl as allActions,
+  _l as allActions,
   De as ask,
-  _a as asked,
-  rl as back,
+  ka as asked,
+  il as back,
   dn as before,
   he as camera,
   Lt as candles,
   le as chosenLamps,
-  Tr as clearSolo,
-  Pr as closeWhat,
-  Dr as colorText,
+  Pr as clearSolo,
+  $r as closeWhat,
+  Fr as colorText,
   co as command,
   mn as compareHeld,
   de as comparing,
-  Fi as compass,
+  qi as compass,
   N as computed,
   wr as copyText,
   wo as cost,
   ge as cross,
-  Ur as css,
-  fl as cut,
+  jr as css,
+  pl as cut,
   ro as deselect,
   G as digits,
   at as display,
   He as distance,
   q as dot,
-  ml as each,
+  hl as each,
   Le as edit,
   F as editor,
   L as effect,
   fo as exposeBy,
   ir as fade,
-  hl as falseColor,
-  Ds as filterOf,
+  vl as falseColor,
+  Fs as filterOf,
   We as fine,
   gn as fitted,
   _n as format,
-  il as forth,
-  ll as frameSelection,
+  al as forth,
+  ul as frameSelection,
   lo as free,
-  Kl as fromHex,
+  Ol as fromHex,
   J as go,
   mr as goHome,
-  cl as goInside,
-  ul as goPreset,
-  is as gridPoint,
+  fl as goInside,
+  cl as goPreset,
+  ss as gridPoint,
   zn as grids,
   D as groups,
-  nl as handles,
+  ol as handles,
   to as hands,
   Se as hear,
   oe as here,
-  qa as hex,
+  ja as hex,
   ho as highlight,
   rt as history,
   er as houseLights,
   me as hovered,
   l as jsx,
   l as jsxs,
-  Tl as keysFirst,
+  Pl as keysFirst,
   rr as lampMarks,
   k as lamps,
   an as layers,
   be as length,
-  Fr as listed,
+  Nr as listed,
   $t as listing,
   we as lookOnly,
   St as looks,
   Go as lumensOf,
-  Mr as luxText,
+  Cr as luxText,
   pt as maintained,
   fn as maintenance,
   kt as materials,
   Mt as meters,
   Ue as middle,
-  Ol as mired,
+  Dl as mired,
   Ke as moved,
-  fa as nameOf,
+  da as nameOf,
   ee as normal,
-  dl as onTool,
+  ml as onTool,
   sn as output,
-  Vl as padWalk,
+  Il as padWalk,
   nr as panels,
   Ge as penless,
   Re as percent,
-  Wr as pickRow,
+  Br as pickRow,
   _t as pinhole,
   gr as positionOf,
   en as project,
-  Ks as ray,
-  bl as register,
+  Os as ray,
+  yl as register,
   pe as role,
   se as say,
   _ as scale,
@@ -3387,52 +3387,52 @@ export {
   ze as select,
   E as selection,
   K as send,
-  pl as setCut,
+  dl as setCut,
   ft as sheet,
   It as show,
   W as shown,
   g as signal,
-  Sr as signed,
+  Mr as signed,
   or as singleKeys,
-  xl as soloSelection,
+  Sl as soloSelection,
   hn as spot,
   vr as startTool,
   Te as status,
-  Js as step,
-  ol as stepSelection,
-  gl as storeLook,
-  vl as storeView,
+  Zs as step,
+  rl as stepSelection,
+  bl as storeLook,
+  gl as storeView,
   sr as stroke,
   _o as strokeLevel,
   O as sub,
-  Or as switchOn,
+  Dr as switchOn,
   Zo as theme,
   ye as things,
   Ye as three,
   io as titleOf,
-  Rr as toLevel,
-  Ir as toTravel,
+  Ar as toLevel,
+  Rr as toTravel,
   _r as toggleFalse,
-  tl as toggleWipe,
+  nl as toggleWipe,
   X as tool,
   no as travel,
   Zt as turn,
-  Kr as typeGroupLevel,
-  Hr as typeLevel,
+  Or as typeGroupLevel,
+  Kr as typeLevel,
   ue as untracked,
   Ve as up,
   Ce as useEffect,
-  xs as useLayoutEffect,
+  Ss as useLayoutEffect,
   ne as useRef,
   Ht as viewName,
   ke as viewSize,
   xt as views,
-  Ka as walkNames,
+  Da as walkNames,
   tr as walking,
   br as wantLevel,
   xn as what,
   oo as whyNot,
   yn as whyNotTo,
-  Zs as wipeAt,
-  Xs as workPlane
+  el as wipeAt,
+  Ys as workPlane
 };

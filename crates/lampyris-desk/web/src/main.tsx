@@ -51,14 +51,14 @@ effect(() => {
     if (scene.value) document.title = `${scene.value.name} – Lampyris`;
 });
 
-// The picture has as many pixels as the view; a change of size waits until it has come to rest.
+// The picture has as many pixels as the view; all changes of size but the first wait until it has come to rest.
 let sized = 0;
 effect(() => {
     const [w, h] = viewSize.value;
     const by = fine.value ? Math.min(devicePixelRatio, 2) : 1;
     if (line.value !== 'open' || role.value === 'watch' || !editor.value.you) return;
     clearTimeout(sized);
-    sized = window.setTimeout(() => send({ do: 'size', width: Math.round(w * by), height: Math.round(h * by) }), 60);
+    sized = window.setTimeout(() => send({ do: 'size', width: Math.round(w * by), height: Math.round(h * by) }), sized && 60);
 });
 
 export * from './desk';

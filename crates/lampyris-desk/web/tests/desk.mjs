@@ -19,6 +19,15 @@ export const openBrowser = () => chromium.launch({
     args: ['--headless=new', '--no-sandbox', '--disable-gpu', '--force-color-profile=srgb'],
 });
 
+/** A port that is free now. */
+export async function freePort() {
+    const server = createServer();
+    await new Promise((done) => server.listen(0, '127.0.0.1', done));
+    const { port } = server.address();
+    await new Promise((done) => server.close(done));
+    return port;
+}
+
 /** Starts `lampyris view` and returns its link and how to end it. */
 export function startProgram(scene, ...more) {
     const child = spawn(LAMPYRIS, ['view', scene, '--no-open', ...(more.includes('--port') ? [] : ['--port', '0']), ...more], {
@@ -37,7 +46,7 @@ export function startProgram(scene, ...more) {
     });
     link.catch(() => {});
     const gone = new Promise((done) => child.on('exit', done));
-    return { link, end: (signal = 'SIGTERM') => (child.kill(signal), gone) };
+    return { link, pid: child.pid, end: (signal = 'SIGTERM') => (child.kill(signal), gone) };
 }
 
 /** A page that must not complain: errors of the console and of the policy are gathered. */
@@ -86,7 +95,8 @@ const POLICY = "default-src 'self'; img-src 'self' blob:; style-src 'self'; fram
 /** Serves the page alone, for tests that speak for the program themselves. */
 export async function servePage() {
     const server = createServer(async (request, response) => {
-        const name = request.url === '/' ? '/index.html' : request.url;
+        const { pathname } = new URL(request.url, 'http://127.0.0.1');
+        const name = pathname === '/' ? '/index.html' : pathname;
         if (request.method === 'POST') return response.writeHead(204).end();
         try {
             const bytes = await readFile(join(dist, name));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { openBrowser, openPage, servePage } from './desk.mjs';
-import { speakFor, state } from './fake.mjs';
+import { frame, speakFor, state } from './fake.mjs';
 
 let browser;
 let server;
@@ -29,6 +29,22 @@ async function desk(options) {
     const say = (message) => spoken.lines.at(-1).send(JSON.stringify(message));
     return { page, complaints, heard, until, say };
 }
+
+test('where the second file did not come, the next picture asks for it again', async () => {
+    const { page } = await openPage(browser);
+    const tried = [];
+    await page.route(/gizmo\.js/, (route) => (tried.push(route.request().url()), tried.length === 1 ? route.abort() : route.continue()));
+    const spoken = await speakFor(page, state());
+    await page.goto(server.link);
+    await page.waitForFunction(() => window.__desk?.frame > 0);
+    for (let k = 0; k < 100 && !(await page.locator('.view-strip').count()); k++) {
+        spoken.lines[0].send(frame({ number: k + 2 }));
+        await page.waitForTimeout(50);
+    }
+    await page.waitForSelector('.view-strip');
+    assert.ok(tried.length > 1);
+    await page.context().close();
+});
 
 test('keys alone: find a lamp, set its level, switch it, solo it, undo, and leave', async () => {
     const { page, heard, until, complaints } = await desk();

@@ -2,10 +2,12 @@
 //
 //   node tests/latency.mjs LINK|SCENE [--events 200] [--size 640x480] [--every 40] [--lamp NAME]
 //
-// A link is that of a program that runs; for a scene one is started ($LAMPYRIS). Real drags of a real browser: a fader, a
+// A link is that of a program that runs; for a scene one is started ($LAMPYRIS) on a copy of it. Real drags of a real browser: a fader, a
 // lamp by its handle, the camera. Each is split into what the page, the line and the program took of it.
 
+import { loadavg } from 'node:os';
 import { openBrowser, startProgram, waitState } from './desk.mjs';
+import { copyOf } from './person.mjs';
 
 const [target, ...rest] = process.argv.slice(2);
 if (!target) {
@@ -18,7 +20,8 @@ const every = Number(option('every', 40));
 const [width, height] = option('size', '640x480').split('x').map(Number);
 const wanted = option('lamp', '');
 
-const program = target.startsWith('http') ? null : startProgram(target);
+const copy = target.startsWith('http') ? null : await copyOf(target);
+const program = copy && startProgram(copy.file);
 const link = program ? await program.link : target;
 const browser = await openBrowser();
 const page = await (await browser.newContext({ viewport: { width: width + 620, height: height + 200 } })).newPage();
@@ -30,6 +33,7 @@ const view = await page.locator('#view').boundingBox();
 await page.setViewportSize({ width: Math.round(width + 620 + (width - view.width)), height: Math.round(height + 200 + (height - view.height)) });
 await page.waitForFunction(([w, h]) => window.__desk.frames.at(-1)?.width === w && window.__desk.frames.at(-1)?.height === h, [width, height], { timeout: 60_000 }).catch(() => {});
 
+console.log(`${copy ? target : 'a desk that runs'}: a view of ${width} × ${height}, load ${loadavg()[0].toFixed(1)}`);
 const median = (list, share = 0.5) => [...list].sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(list.length * share))] ?? NaN;
 
 /** Drags, and returns how long each value of that kind took, split. */
@@ -72,6 +76,7 @@ async function measure(kinds, drag) {
             total, send: message.at - input, render, encode: frame.encode,
             // What is left was spent on the line, both ways, and waiting for the frame at hand.
             'wait and line': Math.max(0, total - known), decode: frame.decoded - frame.received, paint: frame.painted - frame.decoded,
+            width: frame.width, height: frame.height, bytes: frame.bytes,
         });
     }
     return rows;
@@ -83,6 +88,8 @@ function print(name, rows) {
     console.log(`${name.padEnd(14)} ${String(rows.length).padStart(4)} values   median ${median(total).toFixed(0)} ms   p95 ${median(total, 0.95).toFixed(0)} ms`);
     const parts = ['send', 'wait and line', 'render', 'encode', 'decode', 'paint'];
     console.log(`               ${parts.map((part) => `${part} ${median(rows.map((row) => row[part])).toFixed(1)}`).join('   ')}`);
+    const of = (what) => median(rows.map((row) => row[what]));
+    console.log(`               frames of ${of('width')} × ${of('height')} pixels, ${Math.round(of('bytes') / 1000)} kB`);
 }
 
 async function along(points) {
@@ -127,3 +134,4 @@ if (handle) {
 
 await browser.close();
 await program?.end();
+await copy?.remove();

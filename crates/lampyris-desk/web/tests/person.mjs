@@ -2,14 +2,19 @@
 
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { caughtUp, openBrowser, openPage, root, startProgram, waitState } from './desk.mjs';
 
-/** A desk on a copy of a scene, so that what it saves is gone with the copy. */
-export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark', more = [] } = {}) {
+/** A copy of a scene, so that what is saved beside it is gone with the copy. */
+export async function copyOf(scene) {
     const folder = await mkdtemp(join(tmpdir(), 'lampyris-'));
-    await cp(join(root, dirname(scene)), folder, { recursive: true, filter: (from) => !from.endsWith('.lampyris.json') });
-    const file = join(folder, basename(scene));
+    await cp(resolve(root, dirname(scene)), folder, { recursive: true, filter: (from) => !from.endsWith('.lampyris.json') });
+    return { file: join(folder, basename(scene)), remove: () => rm(folder, { recursive: true }) };
+}
+
+/** A desk on a copy of a scene. */
+export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark', more = [] } = {}) {
+    const { file, remove } = await copyOf(scene);
     const program = startProgram(file, '--quiet', ...more);
     const browser = await openBrowser();
     const { page, complaints } = await openPage(browser, { width, height, theme });
@@ -21,9 +26,9 @@ export async function sitDown(scene, { width = 1440, height = 900, theme = 'dark
     const stand = async () => {
         await browser.close();
         await program.end();
-        await rm(folder, { recursive: true });
+        await remove();
     };
-    return { page, complaints, file, person: new Person(page), stand };
+    return { page, complaints, file, person: new Person(page), pid: program.pid, stand };
 }
 
 /** Acts as people do, and counts. */
