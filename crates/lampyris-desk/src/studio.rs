@@ -22,7 +22,7 @@ use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
 use lampyris::document::{self, Document};
 use lampyris::frame::Frame as Sums;
-use lampyris::measuring::Estimate;
+use lampyris::measuring::{Estimate, readable};
 use lampyris::scene::{Camera, Edit, Mesh, Scene, find_view, upward};
 use lampyris::session::{Session, Sketch};
 use lampyris::world::World;
@@ -485,7 +485,7 @@ impl Stage {
         let sketched = turn == Turn::Sketch;
         let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
         let survey = self.survey.surfaces;
-        let readable = if survey { surfaces::readable(self.session.scene()?) } else { Vec::new() };
+        let telling = if survey { readable(self.session.scene()?) } else { Vec::new() };
         let frame = match self.session.sketched().filter(|_| sketched) {
             Some(frame) => frame,
             None => self.session.frame()?,
@@ -522,7 +522,7 @@ impl Stage {
             albedos: frame
                 .auxiliary()
                 .filter(|_| survey)
-                .map(|seen| Arc::new(surfaces::albedos(seen, &readable))),
+                .map(|seen| Arc::new(surfaces::albedos(seen, &telling))),
             camera: self.camera.clone(),
             look: Some(self.look.clone()),
             batches,

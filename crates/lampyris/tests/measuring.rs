@@ -10,7 +10,7 @@ use lampyris::eye::{Eye, Meter};
 use lampyris::frame::Frame;
 use lampyris::light::LightKind;
 use lampyris::material::Sides;
-use lampyris::measuring::{BORDER, Estimate, Rectangle, illuminance, matt, receivers};
+use lampyris::measuring::{BORDER, Estimate, Rectangle, illuminance, readable, receivers};
 use lampyris::scene::{Camera, Scene, View};
 use lampyris::world::World;
 use std::f32::consts::PI;
@@ -87,9 +87,9 @@ fn what_is_seen_tells_what_is_received() {
 #[test]
 fn what_has_no_answer_has_none() {
     let mut scene = floor();
-    assert_eq!(matt(&scene), [true, false, false, false, true]);
+    assert_eq!(readable(&scene), [true, false, false, false, true]);
     scene.materials[4].emission = Rgb::WHITE;
-    assert_eq!(matt(&scene), [true, false, false, false, false]);
+    assert_eq!(readable(&scene), [true, false, false, false, false]);
     let world = World::new(scene);
     let look = |x: f32| {
         let eye = Vec3::new(x, 0.5, 3.0);

@@ -2,11 +2,10 @@
 
 use super::{Found, Stage};
 use crate::screen::Frame;
-use crate::surfaces;
 use lampyris::Rgb;
 use lampyris::geometry::Ray;
 use lampyris::material::Class;
-use lampyris::measuring::{Estimate, illuminance};
+use lampyris::measuring::{Estimate, illuminance, is_readable};
 use lampyris::scene::View;
 
 impl Stage {
@@ -54,7 +53,7 @@ impl Stage {
             instance: surface.instance,
             material: surface.material,
             emitter: world.emitter_of(&surface),
-            albedo: surfaces::is_readable(&world.scene().materials[surface.material as usize])
+            albedo: is_readable(&world.scene().materials[surface.material as usize])
                 .then(|| surface.albedo(Class::Dull) + surface.albedo(Class::Sharp)),
             lux: None,
             luminance: None,

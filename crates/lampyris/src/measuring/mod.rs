@@ -9,7 +9,7 @@ mod targets;
 
 pub use fit::Fit;
 pub use grid::{BORDER, Grid, MOST, Rectangle, spacing};
-pub use seen::{illuminance, matt, receivers};
+pub use seen::{illuminance, is_readable, readable, receivers};
 pub use statistics::{Estimate, Statistics, Verdict};
 pub use targets::{TARGETS, Target};
 

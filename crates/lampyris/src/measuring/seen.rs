@@ -3,7 +3,8 @@
 //!
 //! A meter on the surface behind each pixel ([`receivers`]) reads it exactly, on surfaces of any kind, and takes a picture of
 //! its own. Or what is seen is divided by what the surface reflects ([`illuminance`]), which takes nothing. That is exact on
-//! matt surfaces ([`matt`]) only: a gloss shows the lamp that it mirrors, as if the floor were brighter there.
+//! matt surfaces, and nearly so on what is hardly glossy ([`readable`]): a gloss shows the lamp that it mirrors, as if the
+//! floor were brighter there.
 
 use crate::color::Rgb;
 use crate::eye::Meter;
@@ -15,6 +16,9 @@ use std::f32::consts::PI;
 
 /// Least reflectance by which anything is divided: beneath it noise is all that is left.
 const LEAST: f32 = 0.01;
+
+/// Most that a readable surface reflects sharply, met at a right angle.
+const GLOSS: f32 = 0.06;
 
 /// The meters that lie on what is seen in the middle of each pixel, row by row, on the side of the eye; `None` where
 /// nothing is, and on what has no dull lobes.
@@ -39,16 +43,16 @@ pub fn illuminance(radiance: Rgb, albedo: Rgb) -> Option<f32> {
     Some(received.luminance()).filter(|lux| reflected && lux.is_finite())
 }
 
-/// Of each instance whether all of its surfaces reflect as Lambert says and do nothing else: what is seen of them tells what
-/// they receive.
-pub fn matt(scene: &Scene) -> Vec<bool> {
-    let plain = |m: &Material| {
-        let base = m.bsdf.lambertian().is_some_and(|c| !c.is_black());
-        // Along the normal a gloss is weakest, and its albedo exactly black only where there is none.
-        let sharp = !m.bsdf.albedo(Class::Sharp, glam::Vec3::Z).is_black();
-        base && !sharp && !m.bsdf.transmits() && m.emission.is_black()
-    };
-    let plain: Vec<bool> = scene.materials.iter().map(plain).collect();
+/// Whether what is seen of a material tells what it receives: it sends on, in all directions alike, nearly all that it sends on
+/// at all, and nothing of its own.
+pub fn is_readable(m: &Material) -> bool {
+    let albedo = |class| m.bsdf.albedo(class, glam::Vec3::Z).luminance();
+    albedo(Class::Sharp) <= GLOSS && albedo(Class::Dull) > 0.0 && !m.bsdf.transmits() && m.emission.is_black()
+}
+
+/// Of each instance whether all of its surfaces are readable.
+pub fn readable(scene: &Scene) -> Vec<bool> {
+    let plain: Vec<bool> = scene.materials.iter().map(is_readable).collect();
     let all = |worn: &[u32]| worn.iter().all(|m| plain.get(*m as usize) == Some(&true));
     let meshes: Vec<bool> = scene.meshes.iter().map(|mesh| all(&mesh.materials)).collect();
     scene.instances.iter().map(|i| meshes.get(i.mesh as usize) == Some(&true)).collect()
