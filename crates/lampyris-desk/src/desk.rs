@@ -264,7 +264,7 @@ impl Desk {
                     self.unseen = true;
                     self.end_comparison_with_nothing();
                     self.mix(self.seq, 0.0);
-                    self.studio.survey(Survey::of(self.show.legend.as_deref()));
+                    self.studio.survey(Survey::of(self.show.legend.as_deref()), self.seq);
                     self.lay_out();
                     self.hub.present().into_iter().for_each(|(client, _)| self.tell_state(client));
                 }

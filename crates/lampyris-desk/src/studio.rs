@@ -391,7 +391,8 @@ impl Stage {
             self.moved = None;
             self.begin_to_move(true)?;
         }
-        if let Some(survey) = work.survey.filter(|survey| *survey != self.survey) {
+        self.seq = self.seq.max(work.survey.map_or(0, |(_, seq)| seq));
+        if let Some((survey, _)) = work.survey.filter(|(survey, _)| *survey != self.survey) {
             let surfaces = survey.surfaces != self.survey.surfaces;
             self.survey = survey;
             if surfaces {

@@ -65,7 +65,7 @@ impl Desk {
         let against = self.show.legend.as_ref().and_then(|legend| legend.against());
         if against.is_some_and(|look| self.as_in(look).is_none()) {
             self.show.legend = None;
-            self.studio.survey(Survey::default());
+            self.studio.survey(Survey::default(), self.seq);
             self.screen.show(self.show.clone());
             self.tell_patch(json!({"display": self.display()}));
         }

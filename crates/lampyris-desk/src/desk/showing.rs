@@ -23,7 +23,6 @@ impl Desk {
         }
         if let Some(white) = patch.get("white") {
             show.white = state::white(white)?;
-            self.white = white.clone();
         }
         if let Some(legend) = patch.get("false_color") {
             show.legend = Legend::read(legend)?.map(Arc::new);
@@ -31,18 +30,25 @@ impl Desk {
             if against.is_some_and(|look| self.as_in(look).is_none()) {
                 return Err("there is no such look".into());
             }
-            self.studio.survey(Survey::of(show.legend.as_deref()));
+        }
+        if let Some(white) = patch.get("white") {
+            self.white = white.clone();
         }
         if patch.get("ev").is_some() {
             self.metered = false;
+        }
+        // Light that tells of surfaces is not there yet.
+        let [survey, before] = [&show, &self.show].map(|show| Survey::of(show.legend.as_deref()));
+        let mut traced = survey.surfaces && !before.surfaces;
+        if survey != before {
+            self.studio.survey(survey, seq);
         }
         let against = |show: &Show| show.legend.as_ref().and_then(|legend| legend.against());
         let compares = against(&show) != against(&self.show);
         self.show = show.clone();
         self.screen.show(show);
-        let mut traced = false;
         if compares {
-            traced = self.sort_to_compare(seq)?;
+            traced |= self.sort_to_compare(seq)?;
             self.mix(seq, 0.0);
             self.read_meters();
             self.tell_readings();

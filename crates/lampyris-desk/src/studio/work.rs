@@ -26,8 +26,8 @@ pub(super) struct Work {
     pub(super) questions: Vec<Asked>,
     /// In which colours the layers are shown, and the message that asked.
     pub(super) mix: Option<(Vec<Rgb>, u32)>,
-    /// What pictures are to tell besides light.
-    pub(super) survey: Option<Survey>,
+    /// What pictures are to tell besides light, and the message that asked.
+    pub(super) survey: Option<(Survey, u32)>,
     /// Where to measure from now on.
     pub(super) meters: Option<Vec<Meter>>,
     /// What the desk wants to be kept with the edits, and the name of the version, if it is to have one.
@@ -142,8 +142,8 @@ impl Studio {
     }
 
     /// What pictures are to tell from now on besides light.
-    pub(crate) fn survey(&self, survey: Survey) {
-        self.put(true, |work| work.survey = Some(survey));
+    pub(crate) fn survey(&self, survey: Survey, seq: u32) {
+        self.put(true, |work| work.survey = Some((survey, seq)));
     }
 
     /// Asks.
