@@ -38,9 +38,11 @@ pub(crate) const GROUPS: usize = 16;
 /// How long nothing must move before the picture is drawn in its full size.
 const REST: Duration = Duration::from_millis(160);
 
-/// What a sketch shall take while something moves [s], and the shares of the full edges that it may have.
+/// What a sketch shall take while something moves [s], the shares of the full edges that it may have, and pixels that it has at
+/// least.
 const QUICK: f32 = 0.06;
-const EDGES: [f32; 4] = [0.75, 0.5, 0.375, 0.25];
+const EDGES: [f32; 6] = [0.75, 0.5, 0.375, 0.25, 0.1875, 0.125];
+const FEWEST: f32 = 160.0 * 120.0;
 
 /// A seed of which the first sample of all pixels lies at (0.507, 0.491) of them. A sketch that moves has one batch, and its
 /// pixels are large: what is drawn over it would lie up to half of one beside what it is drawn over.
@@ -463,10 +465,13 @@ impl Stage {
         self.moved = Some(Instant::now());
         let pixels = (self.size[0] * self.size[1]) as f32;
         let pixel = self.pixel[usize::from(all && !self.survey.layers)];
-        let fits = |edge: &&f32| pixel * pixels * **edge * **edge < QUICK;
-        let edge = EDGES.iter().find(fits).unwrap_or(&EDGES[EDGES.len() - 1]);
-        // The first sketch of all tells how quick this machine is.
-        let edge = if pixel == 0.0 { EDGES[2] } else { *edge };
+        let has = |edge: f32| pixels * edge * edge;
+        let large = EDGES.iter().copied().filter(|edge| has(*edge) >= FEWEST);
+        let edge = match pixel {
+            // The first sketch of all tells how quick this machine is.
+            0.0 => EDGES[2],
+            _ => large.clone().find(|edge| pixel * has(*edge) < QUICK).or(large.last()).unwrap_or(EDGES[0]),
+        };
         let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
         let melted = (all && !self.survey.layers).then(|| self.colors.clone());
         if (rested && sketch != self.sketch) || melted != self.melted {

@@ -24,13 +24,12 @@ const copy = target.startsWith('http') ? null : await copyOf(target);
 const program = copy && startProgram(copy.file);
 const link = program ? await program.link : target;
 const browser = await openBrowser();
-const page = await (await browser.newContext({ viewport: { width: width + 620, height: height + 200 } })).newPage();
+const page = await (await browser.newContext({ viewport: { width: Math.max(1280, width + 620), height: Math.max(760, height + 200) } })).newPage();
 await page.goto(link);
 await waitState(page, 'refining', 'good', 'done');
 
-// Panels leave the view what remains: the window is made so large that the view has the size asked for.
-const view = await page.locator('#view').boundingBox();
-await page.setViewportSize({ width: Math.round(width + 620 + (width - view.width)), height: Math.round(height + 200 + (height - view.height)) });
+// Panels leave the view what remains, which depends on much: it is given the size asked for.
+await page.locator('#view').evaluate((view, [w, h]) => Object.assign(view.style, { width: `${w}px`, height: `${h}px`, justifySelf: 'start', alignSelf: 'start' }), [width, height]);
 await page.waitForFunction(([w, h]) => window.__desk.frames.at(-1)?.width === w && window.__desk.frames.at(-1)?.height === h, [width, height], { timeout: 60_000 }).catch(() => {});
 
 console.log(`${copy ? target : 'a desk that runs'}: a view of ${width} × ${height}, load ${loadavg()[0].toFixed(1)}`);
