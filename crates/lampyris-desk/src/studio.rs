@@ -466,11 +466,15 @@ impl Stage {
         let pixels = (self.size[0] * self.size[1]) as f32;
         let pixel = self.pixel[usize::from(all && !self.survey.layers)];
         let has = |edge: f32| pixels * edge * edge;
-        let large = EDGES.iter().copied().filter(|edge| has(*edge) >= FEWEST);
+        let mut large = EDGES.iter().copied().filter(|edge| has(*edge) >= FEWEST);
         let edge = match pixel {
             // The first sketch of all tells how quick this machine is.
             0.0 => EDGES[2],
-            _ => large.clone().find(|edge| pixel * has(*edge) < QUICK).or(large.last()).unwrap_or(EDGES[0]),
+            _ => large
+                .clone()
+                .find(|edge| pixel * has(*edge) < QUICK)
+                .or(large.next_back())
+                .unwrap_or(EDGES[0]),
         };
         let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
         let melted = (all && !self.survey.layers).then(|| self.colors.clone());
