@@ -187,6 +187,11 @@ impl Plan {
         self.tints[emitter as usize]
     }
 
+    /// True if an emitter gives nothing to what is summed: what would leave it carries nothing.
+    pub fn is_dark(&self, world: &World, emitter: u32) -> bool {
+        world.emitters()[emitter as usize].is_dark() || self.tint(emitter) == Rgb::BLACK
+    }
+
     /// x_j: the number of particles of generation j that the weights assume.
     fn expected(&self, emitter: usize, generation: u32) -> f64 {
         let x0 = self.starts[emitter];
@@ -342,8 +347,7 @@ fn start_paths(
     let common = threshold(seed, block);
     let mut paths = Vec::with_capacity(settings.paths as usize + world.emitters().len());
     for emitter in 0..world.emitters().len() {
-        let dark = world.emitters()[emitter].is_dark() || plan.tints[emitter] == Rgb::BLACK;
-        if dark || !wanted(emitter as u32) {
+        if !wanted(emitter as u32) || plan.is_dark(world, emitter as u32) {
             // Its paths would carry nothing. Those of others are the same with or without them.
             continue;
         }

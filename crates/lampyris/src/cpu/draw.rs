@@ -163,10 +163,10 @@ impl Film {
     /// Of each class, the light of some groups.
     fn lights<'w>(&self, world: &World, groups: &[usize], walks: &'w [Walk<'w>]) -> Vec<Vec<Lights<'w>>> {
         let mut shares = vec![0.0; self.plan.layers()];
-        for (number, (emitter, share)) in (0..).zip(world.emitters().iter().zip(world.shares())) {
+        for (emitter, share) in (0..).zip(world.shares()) {
             // What is dark has no light paths either.
-            let dark = emitter.is_dark() || self.plan.tint(number) == Rgb::BLACK;
-            shares[self.plan.layer_of(number)] += if dark { 0.0 } else { *share };
+            shares[self.plan.layer_of(emitter)] +=
+                if self.plan.is_dark(world, emitter) { 0.0 } else { *share };
         }
         let of_class = |class: u32| {
             let of_group = |(group, walk): (&usize, &'w Walk<'w>)| {

@@ -46,12 +46,6 @@ pub(super) struct Standing {
     pub(super) plane: Plane,
 }
 
-impl Standing {
-    fn term(&self) -> Term {
-        Term::whole(&self.plane, self.share)
-    }
-}
-
 /// A plane and how much of it counts.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
@@ -143,12 +137,7 @@ impl Blend {
 
     /// All of it in few pixels.
     fn small(&self, color: impl Fn(usize) -> Option<Rgb>, [width, height]: [u32; 2]) -> Vec<Rgb> {
-        let held: Vec<Term> = self.held.iter().map(Standing::term).collect();
-        let own = self.layers.iter().enumerate().flat_map(|(number, layer)| {
-            let color = own_color(&self.held, number, color(number).unwrap_or(layer.color));
-            layer.terms.iter().map(move |term| (term, color))
-        });
-        let terms: Vec<(&Term, Rgb)> = own.chain(held.iter().map(|term| (term, Rgb::WHITE))).collect();
+        let terms = self.terms(|_| true, color);
         // The middles of the parts into which a small pixel is cut, as pixels of the picture.
         let samples = |small: u32, count: u32, all: u32| {
             let parts = (all / count.max(1)).clamp(1, PARTS);
@@ -179,14 +168,22 @@ impl Blend {
         wanted: impl Fn(usize) -> bool,
         color: impl Fn(usize) -> Option<Rgb>,
     ) -> Vec<Rgb> {
+        sum(self.size, self.terms(wanted, color).iter().map(|(term, color)| (term, *color)))
+    }
+
+    /// What some layers are the sum of, each with its colour.
+    fn terms(
+        &self,
+        wanted: impl Fn(usize) -> bool,
+        color: impl Fn(usize) -> Option<Rgb>,
+    ) -> Vec<(Term, Rgb)> {
         let own = self.layers.iter().enumerate().filter(|(number, _)| wanted(*number));
         let own = own.flat_map(|(number, layer)| {
             let color = own_color(&self.held, number, color(number).unwrap_or(layer.color));
-            layer.terms.iter().map(move |term| (term, color))
+            layer.terms.iter().map(move |term| (term.clone(), color))
         });
         let held = self.held.iter().filter(|held| held.layers.iter().any(|(number, _)| wanted(*number)));
-        let held: Vec<Term> = held.map(Standing::term).collect();
-        sum(self.size, own.chain(held.iter().map(|term| (term, Rgb::WHITE))))
+        own.chain(held.map(|held| (Term::whole(&held.plane, held.share), Rgb::WHITE))).collect()
     }
 }
 

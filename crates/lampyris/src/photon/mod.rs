@@ -163,7 +163,7 @@ fn lights<'a, 'w>(
 ) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
         let tint = plan.tint(emitter);
-        let silent = light.is_dark() || tint == Rgb::BLACK || places[emitter as usize].is_none();
+        let silent = plan.is_dark(world, emitter) || places[emitter as usize].is_none();
         let share = if silent { 0.0 } else { f64::from(*share) };
         let count = (f64::from(settings.photons) * share).ceil() as u32;
         Source {
