@@ -4,6 +4,7 @@ use crate::parse;
 use crate::play::WINDOW;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
+use lampyris::backend::Gather;
 use lampyris::output::{Display, Exposure, ToneCurve};
 use std::net::IpAddr;
 use std::path::PathBuf;
@@ -283,7 +284,7 @@ pub(crate) struct ViewArgs {
 /// How the light is estimated.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct EstimateArgs {
-    /// Parts to add up: all, path, or names of `lampyris list` separated by commas
+    /// Parts to add up: all, full-solution (that of 1996), path, or names of `lampyris list` separated by commas
     #[arg(long, value_name = "NAMES", default_value = "all", value_delimiter = ',')]
     pub(crate) parts: Vec<String>,
     /// Light paths started in one batch [default: 2400; unfiltered by the picture's size 16 to 64; by the number of meters 64 to 1024]
@@ -292,6 +293,15 @@ pub(crate) struct EstimateArgs {
     /// Caustic photons from the lights in one batch, and as many again from where light was reflected [default: 32768]
     #[arg(long, value_name = "N")]
     pub(crate) photons: Option<u32>,
+    /// Rays that each point sends out in a batch for the part `final-gather`
+    #[arg(long, value_name = "N", default_value_t = Gather::default().rays)]
+    pub(crate) gather_rays: u32,
+    /// Light paths of the random walk that lights the elements for `final-gather` in a batch
+    #[arg(long, value_name = "N", default_value_t = Gather::default().paths)]
+    pub(crate) gather_paths: u32,
+    /// Longest edge of an element for `final-gather` [m]
+    #[arg(long, value_name = "METRES", default_value_t = Gather::default().element)]
+    pub(crate) element: f32,
     /// Batches [default: 32, 8 unfiltered, or as many as --time allows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) batches: Option<u32>,

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
 use lampyris::Error;
-use lampyris::backend::{Absorption, Backend, Batch, Settings};
+use lampyris::backend::{Absorption, Backend, Batch, Gather, Settings};
 use lampyris::integrator;
 use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
@@ -64,6 +64,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
     for name in &args.parts {
         match name.as_str() {
             "all" => parts.extend(integrator::WHOLE.iter().map(|n| (*n).to_owned())),
+            "full-solution" => parts.extend(integrator::FULL_SOLUTION.iter().map(|n| (*n).to_owned())),
             _ => parts.push(name.clone()),
         }
     }
@@ -83,6 +84,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
         picks: args.picks.or(otherwise.picks),
         longest: args.longest,
         photons: args.photons.unwrap_or(otherwise.photons),
+        gather: Gather { rays: args.gather_rays, paths: args.gather_paths, element: args.element },
         clamp: args.clamp.unwrap_or(otherwise.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(otherwise.absorption), absorption)?,
         sequence: args.sequence.as_deref().map_or(Ok(otherwise.sequence), sequence)?,

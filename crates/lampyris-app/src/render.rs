@@ -5,7 +5,7 @@ use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::{Phase, Progress, error_text};
 use crate::{estimate, interrupt, memory, say, scene_file, viewing};
 use glam::Vec3;
-use lampyris::backend::{Absorption, Backend, Rays, Settings, Statistics};
+use lampyris::backend::{Absorption, Backend, Gather, Rays, Settings, Statistics};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::frame::Frame;
@@ -250,6 +250,8 @@ fn metadata(
     batches: u32,
 ) -> Vec<(String, String)> {
     let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
+    let Gather { rays, paths, element } = settings.gather;
+    let gather = format!("{rays} rays, {paths} paths, elements of {element} m");
     [
         ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
         ("scene", args.scene.file.display().to_string()),
@@ -257,6 +259,7 @@ fn metadata(
         ("parts", settings.parts.join(",")),
         ("paths", settings.paths.to_string()),
         ("photons", settings.photons.to_string()),
+        ("gather", gather),
         ("spp", settings.eye_passes().to_string()),
         ("interleave", format!("{}x{}", settings.interleave[0], settings.interleave[1])),
         ("light points", or_all(settings.light_points)),

@@ -10,7 +10,7 @@ use crate::integrator;
 use crate::scene::Scene;
 use crate::sequence::Sequence;
 
-pub use crate::settings::{Absorption, Batch, Rays, Settings, Statistics};
+pub use crate::settings::{Absorption, Batch, Gather, Rays, Settings, Statistics};
 
 impl Default for Settings {
     fn default() -> Self {
@@ -27,6 +27,7 @@ impl Default for Settings {
             clamp: 1.5,
             replicates: 4,
             photons: 1 << 15,
+            gather: Gather::default(),
             seed: 0,
             filter: false,
             window: 1,
@@ -82,6 +83,13 @@ impl Settings {
         }
         if self.photons == 0 || self.photons > 1 << 24 {
             return bad("the number of photons must be 1 to 16777216");
+        }
+        let Gather { rays, paths, element } = self.gather;
+        if !(1..=1 << 16).contains(&rays) || !(1..=1 << 24).contains(&paths) {
+            return bad("final gathering takes 1 to 65536 rays a point and 1 to 16777216 light paths");
+        }
+        if element.is_nan() || element <= 0.0 {
+            return bad("the edge of an element must be longer than nothing");
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

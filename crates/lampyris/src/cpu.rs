@@ -185,8 +185,7 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn renew(&mut self) -> Result<()> {
-        self.job()?.films().for_each(|(world, film)| film.renew(world));
-        Ok(())
+        self.job()?.films().try_for_each(|(world, film)| film.renew(world))
     }
 
     /// [`Cpu::renew`] of the sketch and the meters, where the picture is to be begun anew later ([`Cpu::restart`]).
@@ -194,8 +193,7 @@ impl Cpu {
     /// # Errors
     /// [`Error::BadSetting`] before `begin`.
     pub fn renew_beside(&mut self) -> Result<()> {
-        self.job()?.films().skip(1).for_each(|(world, film)| film.renew(world));
-        Ok(())
+        self.job()?.films().skip(1).try_for_each(|(world, film)| film.renew(world))
     }
 
     /// Renders one batch and adds it to what is shown, not to the sums.

@@ -247,6 +247,7 @@ pub struct Contributing;
 mod atomic;
 pub mod backend;
 pub mod chromaticity;
+pub mod coarse;
 pub mod color;
 pub mod cpu;
 pub mod document;

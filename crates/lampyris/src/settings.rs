@@ -36,6 +36,8 @@ pub struct Settings {
     /// Caustic photons that leave the lights in one batch, dealt to them like light paths; as many again leave the vertices
     /// of the walk. None are traced where nothing is sharp.
     pub photons: u32,
+    /// How the part *final-gather* finds light.
+    pub gather: Gather,
     /// Another seed, another picture of the same mean.
     pub seed: u32,
     /// Also keep what is to be shown: each batch averaged between neighbours, see [`crate::filter`].
@@ -58,6 +60,23 @@ impl Settings {
     /// Classes that the light paths of a batch are dealt to: a number for each eye pass and each pixel of the n × m.
     pub fn classes(&self) -> u32 {
         self.eye_passes() * self.interleave[0] * self.interleave[1]
+    }
+}
+
+/// How light is found by final gathering [Keller96, §4.3].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gather {
+    /// SCR, rays that look from each visible point in an eye pass.
+    pub rays: u32,
+    /// Light paths of the walk of 1996 that light the elements in one batch, dealt to the light groups by their shares.
+    pub paths: u32,
+    /// The longest edge of an element [m].
+    pub element: f32,
+}
+
+impl Default for Gather {
+    fn default() -> Gather {
+        Gather { rays: 16, paths: 1 << 15, element: 0.3 }
     }
 }
 
@@ -110,6 +129,8 @@ pub struct Rays {
     pub shadow: u64,
     /// Short rays that pay back what clamping took, and the shadow rays at their ends.
     pub compensation: u64,
+    /// Of final gathering, without those of its light paths.
+    pub gather: u64,
     /// Of the path tracer, for `path` and `caustic-path`.
     pub path: u64,
 }
@@ -120,6 +141,7 @@ impl std::ops::AddAssign for Rays {
         self.particle += o.particle;
         self.shadow += o.shadow;
         self.compensation += o.compensation;
+        self.gather += o.gather;
         self.path += o.path;
     }
 }

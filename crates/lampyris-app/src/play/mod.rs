@@ -225,6 +225,7 @@ fn since(now: Rays, before: Rays) -> Rays {
         particle: now.particle - before.particle,
         shadow: now.shadow - before.shadow,
         compensation: now.compensation - before.compensation,
+        gather: now.gather - before.gather,
         path: now.path - before.path,
     }
 }

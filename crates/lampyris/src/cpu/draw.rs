@@ -3,6 +3,7 @@
 use super::GoOn;
 use super::begun::Begun;
 use super::film::Film;
+use crate::coarse::Coarse;
 use crate::color::Rgb;
 use crate::eye::{Eye, Rect, Sampling, Tile};
 use crate::filter::{Filter, Glimpse};
@@ -89,6 +90,7 @@ struct Shared<'w> {
     /// Of each class, the light of these groups.
     lights: Vec<Vec<Lights<'w>>>,
     photons: Option<Photons>,
+    coarse: Option<Coarse<'w>>,
 }
 
 /// Pieces of work that a batch is cut into at least, however small the picture: a handful of meters keeps all threads
@@ -148,6 +150,14 @@ impl Film {
             return None;
         }
         let photons = useful.then(|| Photons::new(world, &self.settings, &self.plan, &groups, &walks, batch));
+        if self.elements.is_some() && !go_on() {
+            return None;
+        }
+        let coarse = self
+            .elements
+            .as_ref()
+            .map(|elements| Coarse::new(world, elements, &self.settings, &self.plan, &groups, batch));
+        statistics.rays.particle += coarse.as_ref().map_or(0, |coarse| coarse.rays);
         for walk in &walks {
             statistics.rays.particle += walk.rays;
             statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
@@ -157,7 +167,13 @@ impl Film {
         if begun.kept && begun.bands == 0 {
             frame.begin(&groups);
         }
-        self.draw(&Shared { world, batch, groups: &groups, lights, photons }, begun, frame, statistics, go_on)
+        self.draw(
+            &Shared { world, batch, groups: &groups, lights, photons, coarse },
+            begun,
+            frame,
+            statistics,
+            go_on,
+        )
     }
 
     /// Of each class, the light of some groups.
@@ -324,6 +340,7 @@ impl Film {
                     eye: &self.eye,
                     lights,
                     photons: shared.photons.as_ref(),
+                    coarse: shared.coarse.as_ref(),
                     sampling,
                 })
                 .collect();

@@ -10,6 +10,7 @@ mod compensation;
 mod cut_off;
 mod direct;
 mod emission;
+mod final_gather;
 pub mod gather;
 mod gloss;
 mod mirror;
@@ -19,6 +20,7 @@ mod pick;
 mod short;
 mod vpl;
 
+use crate::coarse::Coarse;
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Numbers, Packet, Sampling, Tile};
@@ -42,6 +44,8 @@ pub struct Pass<'w> {
     pub lights: &'w [Lights<'w>],
     /// Caustic photons of the batch; `None` where the oracle does their work.
     pub photons: Option<&'w Photons>,
+    /// What surfaces reflect, for final gathering; `None` where no part reads it.
+    pub coarse: Option<&'w Coarse<'w>>,
     /// Which sample of each pixel.
     pub sampling: Sampling,
 }
@@ -121,6 +125,11 @@ pub trait Integrator: Send + Sync {
         false
     }
 
+    /// Whether it asks for [`Pass::coarse`].
+    fn reads_elements(&self) -> bool {
+        false
+    }
+
     /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass over the tile's eye paths; `out` has a plane for each of
     /// [`Pass::lights`], row by row.
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays);
@@ -133,6 +142,7 @@ pub static ALL: &[&dyn Integrator] = &[
     &vpl::VirtualLights,
     &cut_off::CutOff,
     &compensation::Compensation,
+    &final_gather::FinalGather,
     &mirror::Mirror,
     &caustic::Caustic,
     &caustic_path::CausticPath,
@@ -142,6 +152,9 @@ pub static ALL: &[&dyn Integrator] = &[
 /// The parts that make the whole picture, each path once.
 pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "mirror", "caustic"];
 
+/// The parts of the full solution of 1996: reflected light by final gathering.
+pub const FULL_SOLUTION: &[&str] = &["emission", "direct", "final-gather", "mirror", "caustic"];
+
 /// The part that finds caustics without photons, for every part that asks for them.
 pub const CAUSTIC_ORACLE: &str = "caustic-path";
 
@@ -149,7 +162,7 @@ pub const CAUSTIC_ORACLE: &str = "caustic-path";
 ///
 /// # Errors
 /// [`Error::BadSetting`] for an unknown name, for none at all, and for parts that would count paths twice: `path` beside
-/// any other, or both ways to find caustics.
+/// any other, both ways to find caustics, or both to find light that was reflected.
 pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>> {
     for name in names {
         if !ALL.iter().any(|i| i.name() == name.as_ref()) {
@@ -172,6 +185,13 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
         ));
     }
     let has = |name| chosen.iter().any(|i| i.name() == name);
+    if let Some(other) =
+        ["vpl", "cut-off", "compensation"].iter().find(|part| has("final-gather") && has(part))
+    {
+        return Err(Error::BadSetting(format!(
+            "\"final-gather\" covers the paths of \"{other}\": choose one of them"
+        )));
+    }
     if has("caustic") && has(CAUSTIC_ORACLE) {
         return Err(Error::BadSetting(
             "\"caustic-path\" covers the paths of \"caustic\": choose one of them".into(),
@@ -183,6 +203,11 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
 /// Whether photons are of use to these parts: to some of them, unless the oracle is asked for in their place.
 pub fn gather_photons(parts: &[&dyn Integrator]) -> bool {
     parts.iter().any(|i| i.gathers_photons()) && parts.iter().all(|i| i.name() != CAUSTIC_ORACLE)
+}
+
+/// Whether the means of elements are of use to these parts.
+pub fn read_elements(parts: &[&dyn Integrator]) -> bool {
+    parts.iter().any(|i| i.reads_elements())
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.
