@@ -251,6 +251,7 @@ pub mod coarse;
 pub mod color;
 pub mod cpu;
 pub mod document;
+pub mod elements;
 pub mod error;
 pub mod eye;
 pub mod filter;
