@@ -1,0 +1,112 @@
+//! The full solution of 1996: emission, direct light, final gathering, mirrors and caustics. Where light is as even as an element
+//! it is exact; elsewhere its bias is small, and smaller with smaller elements.
+
+mod support;
+
+use glam::Vec3;
+use lampyris::backend::{Gather, Settings};
+use lampyris::eye::Eye;
+use lampyris::integrator::{FULL_SOLUTION, select};
+use lampyris::material::{Bsdf, Diffuse, Sides};
+use lampyris::{Error, Rgb};
+use support::{Build, FAST, diffuse, gloss, lux, meter, render, say, settings, view};
+
+/// The full solution by elements of a size [m].
+fn full(rays: u32, paths: u32, element: f32) -> Settings {
+    Settings { gather: Gather { rays, paths, element }, ..settings(FULL_SOLUTION, 256, 4, 7) }
+}
+
+/// Walls that emit ¼ and reflect half look ½ everywhere, and reflect ⅛ of what others reflect: whatever the elements are, of a
+/// light that is the same in all of them nothing is lost, but for the noise of the particles and of the rays that find them.
+#[test]
+fn a_furnace_is_even() {
+    let mut b = Build::default();
+    let wall = b.material(diffuse(0.5), 0.25, Sides::FrontOnly);
+    b.room(Vec3::ZERO, Vec3::ONE, [wall; 6]);
+    for element in [f32::INFINITY, 0.2] {
+        let eye = view(Vec3::splat(0.8), Vec3::splat(0.1), 60.0, 16, 12);
+        let gathered = Settings { parts: vec!["final-gather".into()], ..full(16, 1 << 14, element) };
+        let picture = render(&b.0, eye, &gathered, 4);
+        let mean = picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len() as f64;
+        assert!((mean - 0.125).abs() < 6e-4, "{mean} by elements of {element} m");
+        let worst = picture.iter().map(|c| (c.luminance() - 0.125).abs()).fold(0.0, f32::max);
+        assert!(worst < 0.005, "{worst} by elements of {element} m");
+    }
+    let at = [meter(Vec3::splat(0.5), Vec3::X), meter(Vec3::new(0.01, 0.5, 0.02), Vec3::Y)];
+    for lux in lux(&b.0, &at, &full(64, 1 << 14, 0.5), 16) {
+        assert!((lux / (0.5 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{lux}");
+    }
+}
+
+/// A room of 4 × 3 × 4 m with a block, a red wall and a varnished floor, and a panel under the ceiling.
+fn room() -> Build {
+    let mut b = Build::default();
+    let (white, dark) = (b.grey(0.7), b.grey(0.3));
+    let red = Bsdf::Diffuse(Diffuse::opaque(Rgb::new(0.6, 0.1, 0.05)));
+    let red = b.material(red, 0.0, Sides::Both);
+    let floor = b.material(gloss(0.3, 0.05, 0.05), 0.0, Sides::Both);
+    b.room(Vec3::new(-2.0, 0.0, -2.0), Vec3::new(2.0, 3.0, 2.0), [red, white, floor, white, white, dark]);
+    b.block(Vec3::new(0.1, 0.0, -1.2), Vec3::new(1.1, 1.2, -0.2), white);
+    let lamp = b.glow(20.0);
+    b.quad(Vec3::new(-0.5, 2.9, -0.5), Vec3::X, Vec3::Z, lamp);
+    b
+}
+
+const SIZE: [u32; 2] = [64, 48];
+const TILE: u32 = 16;
+
+/// Luminance of tiles of 16 × 16 pixels.
+fn tiles(build: &Build, settings: &Settings, batches: u32) -> Vec<f64> {
+    let eye = view(Vec3::new(0.3, 1.6, 1.9), Vec3::new(0.0, 1.1, -1.0), 60.0, SIZE[0], SIZE[1]);
+    let picture = render(&build.0, eye, settings, batches);
+    let tile = |(left, top): (u32, u32)| {
+        let pixels = (0..TILE * TILE).map(|k| (top + k / TILE) * SIZE[0] + left + k % TILE);
+        pixels.map(|k| f64::from(picture[k as usize].luminance())).sum::<f64>()
+    };
+    let corners = (0..SIZE[1]).step_by(16).flat_map(|y| (0..SIZE[0]).step_by(16).map(move |x| (x, y)));
+    corners.map(tile).collect()
+}
+
+/// The mean is right to 1 % with elements of 0.3 m, and the bias of tiles of 16 × 16 pixels falls as elements are halved.
+#[test]
+fn the_bias_is_that_of_elements() {
+    let room = room();
+    let truth = tiles(&room, &settings(FAST, 512, 32, 1), 8);
+    let whole = |tiles: &[f64]| tiles.iter().sum::<f64>();
+    let biases = [1.2, 0.6, 0.3].map(|element| {
+        let own = tiles(&room, &full(16, 1 << 15, element), 8);
+        let off: Vec<f64> = own.iter().zip(&truth).map(|(own, truth)| own / truth - 1.0).collect();
+        let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
+        let mean = whole(&own) / whole(&truth) - 1.0;
+        let (least, most) = off.iter().fold((0.0_f64, 0.0_f64), |(l, m), off| (l.min(*off), m.max(*off)));
+        say(format_args!(
+            "elements of {element} m: mean {:+.2} %, tiles {:+.2} to {:+.2} %, in the mean square {:.2} %",
+            100.0 * mean,
+            100.0 * least,
+            100.0 * most,
+            100.0 * rms
+        ));
+        (mean, rms)
+    });
+    let [coarse, middle, fine] = biases;
+    assert!(fine.0.abs() < 0.01, "{}", fine.0);
+    assert!(fine.1 < middle.1 && middle.1 < coarse.1, "{biases:?}");
+}
+
+/// Parts that find the same light exclude each other, and settings that make no sense are refused with the mend.
+#[test]
+fn no_path_is_counted_twice() {
+    for part in ["vpl", "compensation", "cut-off", "path"] {
+        let refused = select(&["final-gather", part]).err();
+        assert!(matches!(refused, Some(Error::BadSetting(why)) if why.contains(part)), "{part}");
+    }
+    assert!(select(&["final-gather", "caustic-path"]).is_ok());
+    let bad = Gather { element: -1.0, ..Gather::default() };
+    let refused = Settings { gather: bad, ..full(1, 1, 1.0) }.check();
+    assert!(matches!(refused, Err(Error::BadSetting(_))), "{refused:?}");
+    let tiny = Settings { gather: Gather { element: 1e-5, ..Gather::default() }, ..full(1, 1, 1.0) };
+    let mut cpu = lampyris::cpu::Cpu::new(None).unwrap();
+    let eye = Eye::Meters(vec![meter(Vec3::ONE, Vec3::Y)]);
+    let refused = lampyris::backend::Backend::begin(&mut cpu, room().0, eye, &tiny);
+    assert!(matches!(refused, Err(Error::BadSetting(why)) if why.contains("larger")));
+}
