@@ -266,6 +266,7 @@ pub mod output;
 pub mod particle;
 pub mod photon;
 pub mod sampling;
+pub mod scatter;
 pub mod scene;
 pub mod sequence;
 pub mod session;

@@ -114,7 +114,12 @@ fn laine_karras(mut x: u32, seed: u32) -> u32 {
 /// Dimensions 4g … 4g + 3 are the first four of Sobol' at an index that Owen's scramble shuffles for the group: any
 /// aligned run of 2ᵐ indices stays a net in each group, while the groups are independent of each other.
 pub fn sobol_owen(index: u32, dimension: u32, seed: u32) -> f32 {
-    unit_f32(owen_in_group(group_index(index, dimension, seed), dimension, seed))
+    unit_f32(sobol_owen_word(index, dimension, seed))
+}
+
+/// [`sobol_owen`] with all of its bits [2⁻³²].
+pub fn sobol_owen_word(index: u32, dimension: u32, seed: u32) -> u32 {
+    owen_in_group(group_index(index, dimension, seed), dimension, seed)
 }
 
 /// Two consecutive dimensions of [`sobol_owen`], cheaper where `dimension` is even; equal to it to the bit.
@@ -149,10 +154,15 @@ fn owen_in_group(shuffled: u32, dimension: u32, seed: u32) -> u32 {
 /// The first [`DIMENSIONS`] are the sequence itself; beyond them it repeats under a shuffled index. Cheap, but the
 /// net keeps its fixed structure: the error of smooth integrands does not gain what Owen's scramble gains.
 pub fn sobol_xor(index: u32, dimension: u32, seed: u32) -> f32 {
+    unit_f32(sobol_xor_word(index, dimension, seed))
+}
+
+/// [`sobol_xor`] with all of its bits [2⁻³²].
+pub fn sobol_xor_word(index: u32, dimension: u32, seed: u32) -> u32 {
     let index = match dimension / DIMENSIONS {
         0 => index,
         // A mere exclusive-or of the index would be one of the value: the group would repeat the first.
         group => owen(index, hash(!seed, group)),
     };
-    unit_f32(sobol(index, dimension % DIMENSIONS) ^ hash(seed, dimension))
+    sobol(index, dimension % DIMENSIONS) ^ hash(seed, dimension)
 }
