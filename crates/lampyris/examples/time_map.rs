@@ -27,12 +27,11 @@ fn timed<T>(mut make: impl FnMut() -> T) -> (f64, T) {
 
 /// The median time of single queries [µs].
 fn median(mut ask: impl FnMut(u32)) -> f64 {
-    let time = |k: u32| {
+    let mut time = |k: u32| {
         let start = Instant::now();
         ask(k);
         start.elapsed().as_secs_f64()
     };
-    let mut time = time;
     let mut all: Vec<f64> = (0..QUERIES).map(&mut time).collect();
     all.sort_by(f64::total_cmp);
     1e6 * all[all.len() / 2]
@@ -81,7 +80,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             map.nearest(ask(k).0, f32::INFINITY, &mut nearest, |_, _, _| true);
             sum += nearest.found().next().map_or(0.0, |(_, d)| f64::from(d));
         });
-        println!("{name}: {COUNT} nearest in {search:.2} µs, mean square of distances {:.2e}", sum / f64::from(QUERIES));
+        println!(
+            "{name}: {COUNT} nearest in {search:.2} µs, mean square of distances {:.2e}",
+            sum / f64::from(QUERIES)
+        );
         let radius = (sum / f64::from(QUERIES)).sqrt() as f32;
         for kernel in Kernel::ALL {
             for reach in [Reach::Nearest { count: COUNT, within: f32::INFINITY }, Reach::Within(radius)] {
@@ -91,7 +93,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     let (x, n) = ask(k);
                     sum += f64::from(reader.irradiance(x, n).g);
                 });
-                println!("{name}: {kernel:?}, {reach:?}: {time:.2} µs, mean {:.1} lx", sum / f64::from(QUERIES));
+                println!(
+                    "{name}: {kernel:?}, {reach:?}: {time:.2} µs, mean {:.1} lx",
+                    sum / f64::from(QUERIES)
+                );
             }
         }
         let estimate = Estimate { kernel: Kernel::Cone, reach: Reach::Nearest { count: COUNT, within: 1.0 } };

@@ -9,11 +9,11 @@
 //! Photons on other surfaces are no matter of this one, and do not count toward n: those on the other side of a thin wall,
 //! on walls that meet this one, or that lie steeply above or below.
 
+use super::PhotonMap;
 use super::direction::CoarseNormal;
 use super::kernel::Kernel;
 use super::photon::Photon;
 use super::search::Nearest;
-use super::PhotonMap;
 use crate::color::Rgb;
 use crate::material::Class;
 use crate::world::Surface;
@@ -86,6 +86,18 @@ impl Place {
         }
         let cosine = Vec3::from(photon.normal()).dot(self.normal);
         if self.both_sides { cosine.abs() >= SAME_SIDE } else { cosine >= SAME_SIDE }
+    }
+}
+
+impl PhotonMap {
+    /// Calls `take` with each photon within `radius` [m] on the side of a surface that the unit `normal` points to.
+    pub fn on_surface(&self, x: Vec3, normal: Vec3, radius: f32, mut take: impl FnMut(&Photon)) {
+        let place = Place::new(x, normal);
+        self.within(x, radius, |number, photon, distance2| {
+            if place.holds(number, photon, distance2) {
+                take(photon);
+            }
+        });
     }
 }
 

@@ -13,9 +13,11 @@ mod photon;
 mod power;
 mod precomputed;
 mod search;
+mod shadow;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod world;
 
 pub use direction::{CoarseNormal, Direction};
 pub use estimate::{Estimate, Reach, Reader};
@@ -24,6 +26,8 @@ pub use photon::{Past, Photon};
 pub use power::Power;
 pub use precomputed::Precomputed;
 pub use search::Nearest;
+pub use shadow::{Seen, Shadows};
+pub use world::{Keep, Maps, Shots};
 
 use crate::color::Rgb;
 use glam::Vec3;

@@ -2,8 +2,8 @@
 //! look-up finds the nearest of them that lies on the same surface [Christensen 1999]. For final gathering, which asks
 //! so often that it is worth while, and forgives steps.
 
-use super::estimate::{Estimate, Reader};
 use super::PhotonMap;
+use super::estimate::{Estimate, Reader};
 use crate::color::Rgb;
 use glam::Vec3;
 use rayon::prelude::*;

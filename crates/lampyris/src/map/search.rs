@@ -123,12 +123,7 @@ impl PhotonMap {
 
     /// The place in the map of the photon nearest to `x`, not farther than `radius` [m], among those that `wanted` accepts; of
     /// equal ones the first.
-    pub fn closest(
-        &self,
-        x: Vec3,
-        radius: f32,
-        mut wanted: impl FnMut(u32, &Photon) -> bool,
-    ) -> Option<u32> {
+    pub fn closest(&self, x: Vec3, radius: f32, mut wanted: impl FnMut(u32, &Photon) -> bool) -> Option<u32> {
         let mut best = (radius * radius, u32::MAX);
         self.visit(x, best.0, |number, photon, distance2| {
             if (distance2, number) < best && wanted(number, photon) {

@@ -114,9 +114,8 @@ fn searches_find_what_a_look_at_all_photons_finds() {
                     _ => jump * 20.0,
                 };
                 let radius = [0.0, 0.01, 0.1, 0.5, 3.0, f32::INFINITY][i as usize % 6];
-                let key = |(number, p): (u32, &Photon)| {
-                    (((x - p.position()).length_squared()).to_bits(), number)
-                };
+                let key =
+                    |(number, p): (u32, &Photon)| (((x - p.position()).length_squared()).to_bits(), number);
                 let mut all: Vec<(u32, u32)> = (0..).zip(map.photons()).map(key).collect();
                 all.retain(|(distance2, _)| f32::from_bits(*distance2) <= radius * radius);
                 all.sort_unstable();
@@ -188,8 +187,10 @@ fn even_light_is_even_in_the_mean_by_every_kernel() {
         Reach::Nearest { count: 10, within: 0.08 },
         Reach::Nearest { count: 3000, within: 0.2 },
     ];
-    let forms: Vec<Estimate> =
-        reaches.iter().flat_map(|reach| Kernel::ALL.map(|kernel| Estimate { kernel, reach: *reach })).collect();
+    let forms: Vec<Estimate> = reaches
+        .iter()
+        .flat_map(|reach| Kernel::ALL.map(|kernel| Estimate { kernel, reach: *reach }))
+        .collect();
     let mut moments = vec![Moments::default(); forms.len()];
     for draw in 0..64_u32 {
         let place = |i: u32| {
@@ -279,7 +280,8 @@ fn what_is_kept_at_photons_is_found_again() {
         for i in 0..1000 {
             let x = Vec3::new(2.0 * random(i, 5), 0.001, 2.0 * random(i, 6));
             let far = |k: usize| (photons[k].position() - x).length_squared();
-            let nearest = (0..photons.len()).step_by(every as usize).min_by(|a, b| far(*a).total_cmp(&far(*b)));
+            let nearest =
+                (0..photons.len()).step_by(every as usize).min_by(|a, b| far(*a).total_cmp(&far(*b)));
             let expected = nearest.map(|k| values[k / every as usize]);
             assert_eq!(kept.irradiance(x, Vec3::Y, 1.0), expected);
             assert_eq!(kept.irradiance(x, Vec3::NEG_Y, 1.0), None);
