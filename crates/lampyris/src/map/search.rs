@@ -9,7 +9,7 @@ use super::photon::Photon;
 use super::tree::LEAF;
 use glam::Vec3;
 
-/// Ranges that wait: one a level, and halving 2³² photons down to leaves takes 29.
+/// Ranges that wait: one a level, and halving 2³² photons down to leaves takes 27.
 const STACK: usize = 32;
 
 /// A range of photons that has to be looked at.

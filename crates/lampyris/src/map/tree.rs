@@ -10,7 +10,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 /// Most photons of a range that is not split.
-pub(super) const LEAF: usize = 8;
+pub(super) const LEAF: usize = 32;
 
 /// Ranges of fewer photons are sorted by one thread.
 const PARALLEL: usize = 4096;
