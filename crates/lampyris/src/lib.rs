@@ -250,6 +250,7 @@ pub mod chromaticity;
 pub mod color;
 pub mod cpu;
 pub mod document;
+pub mod elements;
 pub mod error;
 pub mod eye;
 pub mod filter;

@@ -41,9 +41,9 @@ pub enum Generator {
         /// s: the base is the first prime from here on.
         dimensions: u32,
     },
-    /// [`sobol::sobol_xor`].
+    /// [`sobol::sobol_xor_word`].
     SobolXor,
-    /// [`sobol::sobol_owen`].
+    /// [`sobol::sobol_owen_wide_word`].
     SobolOwen,
     /// [`lattice::lattice`].
     Lattice,
@@ -122,7 +122,7 @@ impl Generator {
                 faure::faure(skipped + start(seed) + u64::from(index), dimension, base)
             }
             Generator::SobolXor => fraction(sobol::sobol_xor_word(index, dimension, seed)),
-            Generator::SobolOwen => fraction(sobol::sobol_owen_word(index, dimension, seed)),
+            Generator::SobolOwen => fraction(sobol::sobol_owen_wide_word(index, dimension, seed)),
             Generator::Lattice => fraction(lattice::lattice(index, dimension, seed)),
         }
     }

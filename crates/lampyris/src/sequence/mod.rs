@@ -4,6 +4,7 @@
 //! Every sample lies in [0, 1), strictly below 1 as an `f32`. Which decision reads which dimension is written down in
 //! [`ledger`]; what the numbers are mapped to is `sampling`'s business.
 
+pub mod discrepancy;
 pub mod faure;
 mod generator;
 pub mod halton;

@@ -114,12 +114,17 @@ fn laine_karras(mut x: u32, seed: u32) -> u32 {
 /// Dimensions 4g … 4g + 3 are the first four of Sobol' at an index that Owen's scramble shuffles for the group: any
 /// aligned run of 2ᵐ indices stays a net in each group, while the groups are independent of each other.
 pub fn sobol_owen(index: u32, dimension: u32, seed: u32) -> f32 {
-    unit_f32(sobol_owen_word(index, dimension, seed))
+    unit_f32(owen_in_group(group_index(index, dimension, seed), dimension, seed))
 }
 
-/// [`sobol_owen`] with all of its bits [2⁻³²].
-pub fn sobol_owen_word(index: u32, dimension: u32, seed: u32) -> u32 {
-    owen_in_group(group_index(index, dimension, seed), dimension, seed)
+/// Owen's scramble of the whole table [2⁻³²]: the first [`DIMENSIONS`] are one sequence and stratified together, where
+/// [`sobol_owen`] knows groups of four; beyond them it repeats under a shuffled index.
+pub fn sobol_owen_wide_word(index: u32, dimension: u32, seed: u32) -> u32 {
+    let index = match dimension / DIMENSIONS {
+        0 => index,
+        group => owen(index, hash(!seed, group)),
+    };
+    owen(sobol(index, dimension % DIMENSIONS), hash(seed, dimension))
 }
 
 /// Two consecutive dimensions of [`sobol_owen`], cheaper where `dimension` is even; equal to it to the bit.
