@@ -228,24 +228,25 @@ fn shadow_photons_know_where_the_lamp_is_seen() {
     assert!(Shadows::new(&world, 7, 100, 1).0.map().photons().is_empty());
 }
 
-/// The caustics of ring, ball, egg and mirror on the table: photons of a batch in a map carry what the oracle finds there, by
-/// their flux and by the estimate of density.
+/// What a ball of glass throws on the table before it: photons of a batch in a map carry what the oracle finds there, by their
+/// flux and by the estimate of density.
 #[test]
-#[ignore = "long: the oracle finds a small lamp by chance"]
-fn caustics_on_the_table_are_the_oracles() {
+#[ignore = "long: the oracle finds lamps through glass by chance"]
+fn the_caustic_on_the_table_is_the_oracles() {
     const METERS: u32 = 1 << 13;
-    let world = shipped("ring.mgf");
-    let (low, size) = (Vec3::new(-0.26, -0.23, 0.0), [0.52, 0.46]);
+    let world = shipped("table.mgf");
+    let above = Vec3::new(1.98, 1.68, 0.78);
+    let low = world.closest(&Ray::new(above, Vec3::NEG_Z)).expect("the table").position;
+    let size = [0.26, 0.24];
     let area = f64::from(size[0] * size[1]);
     let at = |[u, v]: [f32; 2]| low + Vec3::new(size[0] * u, size[1] * v, 0.0);
-    let oracle = settings(&["caustic-path"], 1, 1 << 8, 0);
+    let oracle = settings(&["caustic-path"], 1, 1 << 6, 0);
     let truth = |seed| {
-        let meters: Vec<_> =
-            (0..METERS).map(|i| meter(at(spread(i, seed)) + Vec3::Z * 1e-5, Vec3::Z)).collect();
+        let meters: Vec<_> = (0..METERS).map(|i| meter(at(spread(i, seed)) + Vec3::Z * 1e-5, Vec3::Z)).collect();
         let s = Settings { seed, ..oracle.clone() };
-        lux(world.scene(), &meters, &s, 4).iter().sum::<f64>() * area / f64::from(METERS)
+        lux(world.scene(), &meters, &s, 1).iter().sum::<f64>() * area / f64::from(METERS)
     };
-    let truth: Moments = (0..16).map(truth).collect();
+    let truth: Moments = (0..8).map(truth).collect();
     say(format_args!("oracle {:.5} lm ± {:.1e}", truth.mean(), truth.standard_error() / truth.mean()));
     assert!(3.0 * truth.standard_error() < 0.01 * truth.mean());
 
@@ -268,7 +269,7 @@ fn caustics_on_the_table_are_the_oracles() {
     for kernel in Kernel::ALL {
         close_mean(&format!("{kernel:?}"), 8, truth.mean(), 0.01, |seed| {
             let map = map(seed);
-            let mut reader = Reader::new(&map, Estimate { kernel, reach: Reach::Within(0.002) });
+            let mut reader = Reader::new(&map, Estimate { kernel, reach: Reach::Within(0.004) });
             let e = |i| f64::from(reader.irradiance(at(spread(i, seed)), Vec3::Z).luminance());
             (0..1 << 17).map(e).sum::<f64>() * area / f64::from(1 << 17)
         });
