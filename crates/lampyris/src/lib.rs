@@ -260,6 +260,7 @@ pub mod geometry;
 pub mod import;
 pub mod integrator;
 pub mod light;
+pub mod map;
 pub mod material;
 pub mod measuring;
 #[cfg(feature = "pictures")]

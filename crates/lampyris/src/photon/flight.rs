@@ -110,7 +110,7 @@ impl<'a, 'w> Source<'a, 'w> {
     /// Adds what stays of a photon; counts the rays.
     fn follow(&self, world: &'w World, flight: &Flight<'_, 'w>, photons: &mut Vec<Photon>) -> u64 {
         let Flight { shot, from, ordinary, number, .. } = flight;
-        follow(world, shot, *from, *ordinary, self.numbers(*number), self.emitter, photons)
+        follow(world, shot, *from, *ordinary, self.numbers(*number), (self.emitter, self.mirrored), photons)
     }
 }
 

@@ -39,14 +39,15 @@ impl Numbers {
 }
 
 /// Follows a shot from the surface `start`, if that matters to its light, and adds what stays; counts the rays. Roulette
-/// tends to leave photons with `ordinary` [lm].
+/// tends to leave photons with `ordinary` [lm]. The light is an emitter's; what comes over a single planar mirror stays only
+/// where `mirrored`.
 pub(super) fn follow<'w>(
     world: &'w World,
     shot: &Shot,
     start: Option<&Surface<'w>>,
     ordinary: f32,
     numbers: Numbers,
-    emitter: u32,
+    (emitter, mirrored): (u32, bool),
     photons: &mut Vec<Photon>,
 ) -> u64 {
     let mut ray = shot.ray;
@@ -72,7 +73,7 @@ pub(super) fn follow<'w>(
         }
         let [u, v, lobe, survive] = numbers.four(ledger::vertex(vertex));
         let Some(s) = y.scatter_flux(Class::Sharp, [u, v], lobe) else { return u64::from(vertex) + 1 };
-        folded = vertex == 0 && over_mirror(&y, &s);
+        folded = vertex == 0 && !mirrored && over_mirror(&y, &s);
         flux *= s.weight;
         let most = if vertex < CERTAIN_VERTICES { 1.0 } else { SUREST };
         let stay = (flux.max_channel() / ordinary).clamp(0.0, most);

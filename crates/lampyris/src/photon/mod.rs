@@ -83,6 +83,8 @@ struct Source<'a, 'w> {
     /// Number in its sequence of the first of them.
     first: u32,
     seed: u32,
+    /// Whether light over a single planar mirror stays, too.
+    mirrored: bool,
 }
 
 impl Photons {
@@ -112,7 +114,8 @@ impl Photons {
             .map(|emitter| groups.iter().position(|group| *group == plan.layer_of(emitter)))
             .collect();
         let (walks, classes) = own.as_deref().map_or((walks, settings.classes()), |own| (own, 1));
-        let lights = lights(world, settings, plan, &places, block, sequence::hash(seed, u32::from(b'k')));
+        let tint = |emitter: u32| places[emitter as usize].map_or(Rgb::BLACK, |_| plan.tint(emitter));
+        let lights = lights(world, settings.photons, &tint, block, sequence::hash(seed, u32::from(b'k')));
         let vertices =
             vertices(world, settings, (walks, classes), block, sequence::hash(seed, u32::from(b'w')));
         let kinds = [(lights, RADIUS[0]), (vertices, RADIUS[1])];
@@ -151,27 +154,41 @@ impl Photons {
     }
 }
 
-/// Photons that start on the emitters that have a place: each its share of them, at least one where it has any; none where
-/// it is dark.
+/// Traces photons from the lights alone, L S⁺ x: of all together `count`, block after block, the light of each emitter
+/// multiplied by a tint, by a seed. Those over a single planar mirror come along where `mirrored`. Returns the rays that it took,
+/// too.
+pub fn from_lights(
+    world: &World,
+    count: u32,
+    tint: &dyn Fn(u32) -> Rgb,
+    (block, seed): (u32, u32),
+    mirrored: bool,
+) -> (Vec<Photon>, u64) {
+    let sources = lights(world, count, tint, block, seed).into_iter();
+    trace(world, &sources.map(|source| Source { mirrored, ..source }).collect::<Vec<_>>())
+}
+
+/// Photons that start on the emitters: each its share of them, at least one where it has any; none where it is dark, or its
+/// tint black.
 fn lights<'a, 'w>(
     world: &'a World,
-    settings: &Settings,
-    plan: &Plan,
-    places: &[Option<usize>],
+    count: u32,
+    tint: &dyn Fn(u32) -> Rgb,
     block: u32,
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
     let source = |(emitter, (light, share)): (u32, (&'a Emitter, &f32))| {
-        let tint = plan.tint(emitter);
-        let silent = plan.is_dark(world, emitter) || places[emitter as usize].is_none();
+        let tint = tint(emitter);
+        let silent = light.is_dark() || tint == Rgb::BLACK;
         let share = if silent { 0.0 } else { f64::from(*share) };
-        let count = (f64::from(settings.photons) * share).ceil() as u32;
+        let count = (f64::from(count) * share).ceil() as u32;
         Source {
             emitter,
             origin: Origin::Light(light, tint),
             count,
             first: block.wrapping_mul(count),
             seed: sequence::hash(seed, emitter),
+            mirrored: false,
         }
     };
     (0..).zip(world.emitters().iter().zip(world.shares())).map(source).collect()
@@ -203,6 +220,7 @@ fn vertices<'a, 'w>(
             count,
             first: block.wrapping_mul(count),
             seed: sequence::hash(seed, emitter),
+            mirrored: false,
         }
     };
     number.map(source).collect()

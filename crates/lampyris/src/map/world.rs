@@ -1,0 +1,128 @@
+//! Maps of a world: the global one, of a walk that scatters light by all that surfaces do [Keller96, §4.3], and that of the
+//! caustics of lamps, of photons aimed at what reflects sharply [Jarosz05, §2.1, §4.1.1]. Photons start in proportion to power,
+//! and carry what they stand for: a map needs no scale.
+//!
+//! [Jarosz05, §2.1] keeps in the global map only light that was reflected dully before. That is what a look at the map itself
+//! lacks beside direct light and caustics. But a final gather from x asks for what y reflects, and y reflects direct light and
+//! caustics, too: for it every photon is kept.
+
+use super::PhotonMap;
+use super::photon::{Past, Photon};
+use crate::color::Rgb;
+use crate::photon;
+use crate::scatter::{Arrival, RandomWalk, Rules};
+use crate::sequence;
+use crate::world::World;
+use std::ops::Range;
+
+/// Which light a map keeps, of what comes to dull surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keep {
+    /// All of it.
+    #[default]
+    Every,
+    /// What a dull lobe reflected before: neither direct light nor caustics of lamps.
+    Reflected,
+    /// What came over sharp lobes alone, once at least: L S⁺ D.
+    Caustic,
+    /// What came straight from a lamp.
+    Direct,
+}
+
+/// How maps of a world are filled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shots {
+    /// Light paths for the global map.
+    pub paths: u32,
+    /// Of them which is kept there.
+    pub keep: Keep,
+    /// Photons shot for the caustics of lamps.
+    pub caustics: u32,
+    /// Whether caustics have the light over a single planar mirror, which is the part *mirror* of the partition.
+    pub mirrored: bool,
+    /// How light is followed, by which numbers.
+    pub rules: Rules,
+    /// Which block of the sequences: maps of other blocks are of other light paths.
+    pub block: u32,
+}
+
+impl Default for Shots {
+    /// 2¹⁸ of each, for gathering.
+    fn default() -> Shots {
+        let (paths, caustics) = (1 << 18, 1 << 18);
+        Shots { paths, keep: Keep::Every, caustics, mirrored: false, rules: Rules::default(), block: 0 }
+    }
+}
+
+/// The maps of a world.
+#[derive(Clone, Debug)]
+pub struct Maps {
+    /// Of the walk.
+    pub global: PhotonMap,
+    /// Caustics of lamps.
+    pub caustic: PhotonMap,
+    /// Rays that both took.
+    pub rays: u64,
+}
+
+impl Keep {
+    /// Whether this light is kept.
+    pub fn wants(self, light: &Arrival<'_>) -> bool {
+        let wanted = match self {
+            Keep::Every => true,
+            Keep::Reflected => light.diffused,
+            Keep::Caustic => light.is_caustic(),
+            Keep::Direct => light.bounces == 0,
+        };
+        wanted && !light.surface.finish.dull.is_black()
+    }
+}
+
+impl Maps {
+    /// Fills both maps with the light of all emitters, each multiplied by a tint; black leaves it out.
+    pub fn new(world: &World, shots: &Shots, tint: impl Fn(u32) -> Rgb) -> Maps {
+        // So many blocks of paths as there are numbers for.
+        let block = shots.block % (u32::MAX / shots.paths.max(1));
+        let paths = block * shots.paths..(block + 1) * shots.paths;
+        let seed = sequence::hash(shots.rules.seed, u32::from(b'c'));
+        let (caustics, shot) =
+            photon::from_lights(world, shots.caustics, &tint, (shots.block, seed), shots.mirrored);
+        let caustic = PhotonMap::new(caustics.iter().map(Photon::from).collect());
+        let walk = RandomWalk::tinted(world, shots.rules, tint);
+        let (global, walked) = PhotonMap::of_walk(&walk, paths, |light| shots.keep.wants(light));
+        Maps { global, caustic, rays: shot + walked }
+    }
+}
+
+impl PhotonMap {
+    /// The light of so many paths of a walk, of it that which is wanted, and the rays that it took.
+    pub fn of_walk(
+        walk: &RandomWalk<'_>,
+        paths: Range<u32>,
+        wanted: impl Fn(&Arrival<'_>) -> bool + Sync,
+    ) -> (PhotonMap, u64) {
+        let share = 1.0 / paths.len().max(1) as f32;
+        let store = |photons: &mut Vec<Photon>, light: &Arrival<'_>| {
+            if wanted(light)
+                && let Some(flux) = light.lit()
+            {
+                let past = Past { dull: light.diffused, sharp_last: light.sharp, shadow: false };
+                let flux = flux * share;
+                photons.push(Photon::new(light.position(), light.normal(), light.from(), flux, past));
+            }
+        };
+        let runs = walk.paths(paths, store);
+        let rays = runs.iter().map(|(_, rays)| rays).sum();
+        let mut photons = Vec::with_capacity(runs.iter().map(|(run, _)| run.len()).sum());
+        runs.into_iter().for_each(|(run, _)| photons.extend(run));
+        (PhotonMap::new(photons), rays)
+    }
+}
+
+impl From<&photon::Photon> for Photon {
+    /// Of a caustic photon, of whose past no more is known.
+    fn from(p: &photon::Photon) -> Photon {
+        let past = Past { sharp_last: true, ..Past::default() };
+        Photon::new(p.position, p.normal, p.wi, p.flux, past)
+    }
+}
