@@ -299,6 +299,12 @@ pub(crate) struct EstimateArgs {
     /// Light paths of the random walk that lights the elements for `final-gather` in a batch
     #[arg(long, value_name = "N", default_value_t = Gather::default().paths)]
     pub(crate) gather_paths: u32,
+    /// How far photons may lie from what they light for `final-gather` on gloss and `caustic-map` [radii of the scene]
+    #[arg(long, value_name = "SHARE", default_value_t = Gather::default().radius)]
+    pub(crate) gather_radius: f32,
+    /// Glossy surfaces one behind the other for `final-gather`: light is followed to the last, which photons light
+    #[arg(long, value_name = "N", default_value_t = Gather::default().levels)]
+    pub(crate) gather_levels: u32,
     /// Longest edge of an element for `final-gather` [m]
     #[arg(long, value_name = "METRES", default_value_t = Gather::default().element)]
     pub(crate) element: f32,

@@ -250,8 +250,9 @@ fn metadata(
     batches: u32,
 ) -> Vec<(String, String)> {
     let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
-    let Gather { rays, paths, element } = settings.gather;
-    let gather = format!("{rays} rays, {paths} paths, elements of {element} m");
+    let Gather { rays, paths, element, radius, levels } = settings.gather;
+    let gather =
+        format!("{rays} rays, {paths} paths, elements of {element} m, radius {radius}, {levels} levels");
     [
         ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
         ("scene", args.scene.file.display().to_string()),

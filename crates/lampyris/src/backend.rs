@@ -84,12 +84,17 @@ impl Settings {
         if self.photons == 0 || self.photons > 1 << 24 {
             return bad("the number of photons must be 1 to 16777216");
         }
-        let Gather { rays, paths, element } = self.gather;
+        let Gather { rays, paths, element, radius, levels } = self.gather;
         if !(1..=1 << 16).contains(&rays) || !(1..=1 << 24).contains(&paths) {
             return bad("final gathering takes 1 to 65536 rays a point and 1 to 16777216 light paths");
         }
         if element.is_nan() || element <= 0.0 {
             return bad("the edge of an element must be longer than nothing");
+        }
+        if !(radius > 0.0 && radius <= 1.0) || !(1..=16).contains(&levels) {
+            return bad(
+                "final gathering asks for photons within 0 to 1 radii of the scene, and 1 to 16 levels",
+            );
         }
         if !(2..=64).contains(&self.replicates) {
             return bad("the number of randomisations must be 2 to 64");

@@ -72,11 +72,15 @@ pub struct Gather {
     pub paths: u32,
     /// The longest edge of an element [m].
     pub element: f32,
+    /// r, how far photons may lie from the point that they light [radii of the scene].
+    pub radius: f32,
+    /// Glossy surfaces one behind the other: light is followed over the lobes of all but the last, which photons light.
+    pub levels: u32,
 }
 
 impl Default for Gather {
     fn default() -> Gather {
-        Gather { rays: 16, paths: 1 << 15, element: 0.3 }
+        Gather { rays: 16, paths: 1 << 15, element: 0.3, radius: 0.02, levels: 1 }
     }
 }
 

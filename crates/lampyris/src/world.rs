@@ -299,6 +299,11 @@ impl World {
         chance * (distance * distance / (cosine * side.area_around(surface.triangle)))
     }
 
+    /// True if the dull lobes of any surface are no Lambertian reflector's.
+    pub fn has_gloss(&self) -> bool {
+        self.finishes.iter().any(|finish| finish.lambertian.is_none() && !finish.dull.is_black())
+    }
+
     /// Lamps that a ray from `origin` passes before `t_max`, and the environment if nothing ends the ray.
     pub fn glows(&self, origin: Vec3, direction: Vec3, t_max: f32, mut see: impl FnMut(Glow)) {
         let Emitters { all, shares, lamps, environment, .. } = &self.emitters;

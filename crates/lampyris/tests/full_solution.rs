@@ -9,11 +9,14 @@ use lampyris::eye::Eye;
 use lampyris::integrator::{FULL_SOLUTION, select};
 use lampyris::material::{Bsdf, Diffuse, Sides};
 use lampyris::{Error, Rgb};
-use support::{Build, FAST, diffuse, gloss, lux, meter, render, say, settings, view};
+use support::{Build, FAST, diffuse, glass, gloss, lux, meter, render, say, settings, view};
 
 /// The full solution by elements of a size [m].
 fn full(rays: u32, paths: u32, element: f32) -> Settings {
-    Settings { gather: Gather { rays, paths, element }, ..settings(FULL_SOLUTION, 256, 4, 7) }
+    Settings {
+        gather: Gather { rays, paths, element, ..Gather::default() },
+        ..settings(FULL_SOLUTION, 256, 4, 7)
+    }
 }
 
 /// Walls that emit ¼ and reflect half look ½ everywhere, and reflect ⅛ of what others reflect: whatever the elements are, of a
@@ -95,11 +98,62 @@ fn the_bias_is_that_of_elements() {
     assert!(fine.1 < middle.1 && middle.1 < coarse.1, "{biases:?}");
 }
 
+/// In a furnace gloss sees ½ everywhere as well, by photons of a fixed radius: away from edges all of it, however many glossy
+/// surfaces are one behind the other. Where walls meet, a ball around a point holds less than a disc of surface, or more.
+#[test]
+fn gloss_is_lit_by_photons() {
+    let mut b = Build::default();
+    let wall = b.material(gloss(0.3, 0.2, 0.3), 0.25, Sides::FrontOnly);
+    b.room(Vec3::ZERO, Vec3::ONE, [wall; 6]);
+    let eye = || view(Vec3::splat(0.5), Vec3::new(0.5, 0.1, 0.45), 60.0, 16, 12);
+    let picture = |parts: &[&str], gather: Gather| {
+        let parts = parts.iter().map(|part| (*part).into()).collect();
+        let picture = render(&b.0, eye(), &Settings { parts, gather, ..full(1, 1, 1.0) }, 8);
+        picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len() as f64
+    };
+    let truth = picture(&["vpl", "compensation"], Gather::default());
+    for levels in [1, 2, 3] {
+        let gather = Gather { rays: 32, paths: 1 << 15, radius: 0.02, levels, ..Gather::default() };
+        let own = picture(&["final-gather"], gather);
+        say(format_args!("{levels} levels: {own} {truth}"));
+        assert!((own / truth - 1.0).abs() < 0.02, "{levels} levels: {own} {truth}");
+    }
+}
+
+/// A glass ball and a mirror in a room: light that photons of one radius bring to the floor is that of the parts *mirror* and
+/// *caustic*, whose radii shrink, to 1 %.
+#[test]
+fn caustics_keep_their_energy() {
+    let mut b = Build::default();
+    let (wall, floor) = (b.grey(0.5), b.grey(0.8));
+    let clear = b.material(glass(), 0.0, Sides::Both);
+    let mirror = b.material(gloss(0.0, 0.9, 0.0), 0.0, Sides::Both);
+    b.room(Vec3::new(-2.0, 0.0, -2.0), Vec3::new(2.0, 3.0, 2.0), [wall, wall, floor, wall, mirror, wall]);
+    b.sphere(Vec3::new(0.0, 0.8, 0.0), 0.5, 3, false, |_| clear);
+    let lamp = b.glow(30.0);
+    b.quad(Vec3::new(-0.5, 2.9, -0.5), Vec3::X, Vec3::Z, lamp);
+    let picture = |parts: &[&str], batches: u32| {
+        let eye = view(Vec3::new(0.3, 2.6, 1.9), Vec3::new(0.0, 0.0, -0.3), 60.0, 48, 36);
+        let s =
+            Settings { gather: Gather { radius: 0.01, ..Gather::default() }, ..settings(parts, 64, 4, 3) };
+        let picture = render(&b.0, eye, &s, batches);
+        picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>()
+    };
+    let truth = picture(&["mirror", "caustic"], 24);
+    let own = picture(&["caustic-map"], 24);
+    say(format_args!("{own} {truth}: {:+.2} %", 100.0 * (own / truth - 1.0)));
+    assert!((own / truth - 1.0).abs() < 0.01, "{own} {truth}");
+}
+
 /// Parts that find the same light exclude each other, and settings that make no sense are refused with the mend.
 #[test]
 fn no_path_is_counted_twice() {
     for part in ["vpl", "compensation", "cut-off", "path"] {
         let refused = select(&["final-gather", part]).err();
+        assert!(matches!(refused, Some(Error::BadSetting(why)) if why.contains(part)), "{part}");
+    }
+    for part in ["mirror", "caustic", "caustic-path", "path"] {
+        let refused = select(&["caustic-map", part]).err();
         assert!(matches!(refused, Some(Error::BadSetting(why)) if why.contains(part)), "{part}");
     }
     assert!(select(&["final-gather", "caustic-path"]).is_ok());

@@ -150,13 +150,13 @@ impl Film {
             return None;
         }
         let photons = useful.then(|| Photons::new(world, &self.settings, &self.plan, &groups, &walks, batch));
-        if self.elements.is_some() && !go_on() {
+        if self.grounds.is_some() && !go_on() {
             return None;
         }
         let coarse = self
-            .elements
+            .grounds
             .as_ref()
-            .map(|elements| Coarse::new(world, elements, &self.settings, &self.plan, &groups, batch));
+            .map(|grounds| Coarse::new(world, grounds, &self.settings, &self.plan, &groups, batch));
         statistics.rays.particle += coarse.as_ref().map_or(0, |coarse| coarse.rays);
         for walk in &walks {
             statistics.rays.particle += walk.rays;

@@ -3,8 +3,8 @@
 
 use super::begun::Begun;
 use super::draw::Plane;
+use crate::coarse::Grounds;
 use crate::color::Rgb;
-use crate::elements::Elements;
 use crate::error::Result;
 use crate::eye::Eye;
 use crate::frame::Frame;
@@ -21,8 +21,8 @@ pub(super) struct Film {
     pub(super) plan: Plan,
     /// The colours in which the light of all groups is summed in one layer, where it is.
     melted: Option<Vec<Rgb>>,
-    /// What final gathering looks up light by, where a part does.
-    pub(super) elements: Option<Elements>,
+    /// What coarse solutions stand on, where a part looks them up.
+    pub(super) grounds: Option<Grounds>,
     pub(super) integrators: Vec<&'static dyn Integrator>,
     /// What integrators draw into.
     pub(super) planes: Vec<Plane>,
@@ -60,7 +60,7 @@ impl Film {
     /// With the layers of a plan, which has been made by these settings, and planes for the parts or not.
     pub(super) fn by(world: &World, eye: Eye, settings: &Settings, plan: Plan, apart: bool) -> Result<Film> {
         let integrators = integrator::select(&settings.parts)?;
-        let elements = elements(world, settings, &integrators)?;
+        let grounds = Grounds::new(world, settings, integrator::wants(&integrators))?;
         let names: Vec<&str> = integrators.iter().map(|i| i.name()).collect();
         let (planes, planes_of) = Plane::deal(&integrators, apart);
         let (width, height) = eye.size();
@@ -76,7 +76,7 @@ impl Film {
             statistics: Statistics::default(),
             eye,
             settings,
-            elements,
+            grounds,
             integrators,
             planes,
             planes_of,
@@ -105,7 +105,7 @@ impl Film {
     /// # Errors
     /// [`Error::BadSetting`](crate::Error::BadSetting) where surfaces have grown beyond the elements that there may be.
     pub(super) fn renew(&mut self, world: &World) -> Result<()> {
-        self.elements = elements(world, &self.settings, &self.integrators)?;
+        self.grounds = Grounds::new(world, &self.settings, integrator::wants(&self.integrators))?;
         self.plan = self.plan(world);
         (0..self.plan.layers()).for_each(|layer| self.frame.change(layer));
         self.frame.forget_first();
@@ -125,8 +125,4 @@ impl Film {
     fn mix(&self, world: &World) -> Vec<Rgb> {
         if self.melted.is_some() { vec![Rgb::WHITE] } else { world.mix() }
     }
-}
-
-fn elements(world: &World, settings: &Settings, parts: &[&dyn Integrator]) -> Result<Option<Elements>> {
-    integrator::read_elements(parts).then(|| Elements::new(world, settings.gather.element)).transpose()
 }

@@ -1,9 +1,11 @@
-//! Final gather: light that a dull vertex reflects just before x, by rays that look what elements of the scene reflect
-//! [Keller96, §4.3, "Indirect Diffuse Illumination"]. It covers what *vpl* and *compensation* do, without virtual lights and
-//! without a clamp, and takes the mean of an element for its light: there it is biased, and by no more.
+//! Final gather: light that a dull vertex reflects just before x, by rays that look what the scene around reflects [Keller96,
+//! §4.3]. It covers what *vpl* and *compensation* do, without virtual lights and without a clamp.
+//!
+//! What is looked up, the mean of an element or the photons around a point, is biased where light is uneven; how much that is
+//! shown directly is a matter of the lobes at x: a matt one averages over many elements, glossy ones see photons.
 
 use super::{Integrator, Pass};
-use crate::coarse::Coarse;
+use crate::coarse::{Coarse, Wants};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
@@ -12,7 +14,7 @@ use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::Surface;
 
-/// Paths L (S|D)* D D S* E, where light leaves the first D of them evenly.
+/// Paths L (S|D)* D D S* E, the first D of them by its mean.
 pub(super) struct FinalGather;
 
 impl Integrator for FinalGather {
@@ -21,11 +23,11 @@ impl Integrator for FinalGather {
     }
 
     fn paths(&self) -> &'static str {
-        "L (S|D)* D D S* E, by means of elements"
+        "L (S|D)* D D S* E, by a coarse solution"
     }
 
-    fn reads_elements(&self) -> bool {
-        true
+    fn wants(&self) -> Wants {
+        Wants { reflected: true, ..Wants::default() }
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
@@ -38,8 +40,19 @@ impl Integrator for FinalGather {
                 if let Some(x) = p.visible(k) {
                     found.fill(Rgb::BLACK);
                     let numbers = p.numbers[k].branch(b'g'.into());
-                    at(pass, coarse, &x.surface, numbers, count, &mut found);
-                    rays.gather += u64::from(count);
+                    for ray in 0..count {
+                        let index = numbers.index.wrapping_mul(count).wrapping_add(ray);
+                        let factor = Rgb::grey(1.0 / count as f32);
+                        look(
+                            pass,
+                            coarse,
+                            &x.surface,
+                            Numbers { index, ..numbers },
+                            factor,
+                            &mut found,
+                            rays,
+                        );
+                    }
                     for (out, found) in out.iter_mut().zip(&found) {
                         out[p.pixels[k] as usize] += x.throughput * *found;
                     }
@@ -49,17 +62,59 @@ impl Integrator for FinalGather {
     }
 }
 
-/// Adds the radiance at one point that so many rays find, group by group.
-fn at(pass: &Pass<'_>, coarse: &Coarse<'_>, x: &Surface<'_>, numbers: Numbers, count: u32, out: &mut [Rgb]) {
+/// Adds `factor` times the radiance at `x` that one ray finds, group by group.
+fn look<'w>(
+    pass: &Pass<'w>,
+    coarse: &Coarse<'_>,
+    x: &Surface<'w>,
+    numbers: Numbers,
+    mut factor: Rgb,
+    out: &mut [Rgb],
+    rays: &mut Rays,
+) {
     let world = pass.world;
-    for k in 0..count {
-        let numbers = Numbers { index: numbers.index.wrapping_mul(count).wrapping_add(k), ..numbers };
-        let [u, v, _, lobe] = numbers.four(ledger::direction(0));
-        let Some(s) = x.sample(Class::Dull, [u, v], lobe) else { continue };
+    let mut x = *x;
+    let by_photons = x.finish.lambertian.is_none() && coarse.has_photons();
+    for level in 0..pass.settings.gather.levels {
+        let [u, v, _, lobe] = numbers.four(ledger::direction(level));
+        let Some(s) = x.sample(Class::Dull, [u, v], lobe) else { return };
         let ray = Ray::new(x.spawn(s.wi), s.wi);
-        let Some(hit) = world.tracer().closest(&ray) else { continue };
+        factor *= s.weight;
+        rays.gather += 1;
+        let hit = world.tracer().closest(&ray);
+        if level > 0 {
+            // L₀(y), which photons bring to a glossy vertex if they light it.
+            let t_max = hit.as_ref().map_or(f32::INFINITY, |hit| hit.t);
+            world.glows(ray.origin, ray.direction, t_max, |glow| {
+                let clear = x.clear_to(ray.direction, glow.distance, None);
+                shine(pass, glow.emitter, factor * clear * glow.radiance, out);
+            });
+        }
+        let Some(hit) = hit else { return };
         let y = world.surface(s.wi, &hit);
-        let factor = s.weight * y.clear_from(ray.origin, Some(x)) * (1.0 / count as f32);
-        coarse.add(world, &hit, y.front, factor, out);
+        factor *= y.clear_from(ray.origin, Some(&x));
+        if level > 0
+            && !y.emission().is_black()
+            && let Some(emitter) = world.emitter_of(&y)
+        {
+            shine(pass, emitter, factor * y.emission(), out);
+        }
+        if !by_photons {
+            return coarse.add_mean(world, &hit, y.front, factor, out);
+        }
+        let last = level + 1 == pass.settings.gather.levels;
+        match y.parted().filter(|_| !last && y.finish.lambertian.is_none()) {
+            None => return coarse.add_lit(&y, factor, out),
+            Some([even, glossy]) => {
+                coarse.add_lit(&even, factor, out);
+                x = glossy;
+            }
+        }
+    }
+}
+
+fn shine(pass: &Pass<'_>, emitter: u32, radiance: Rgb, out: &mut [Rgb]) {
+    if let Some((place, tint)) = pass.place_of(emitter) {
+        out[place] += radiance * tint;
     }
 }

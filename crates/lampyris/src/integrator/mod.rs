@@ -5,6 +5,7 @@
 //! row in [`ALL`].
 
 mod caustic;
+mod caustic_map;
 mod caustic_path;
 mod compensation;
 mod cut_off;
@@ -20,7 +21,7 @@ mod pick;
 mod short;
 mod vpl;
 
-use crate::coarse::Coarse;
+use crate::coarse::{Coarse, Wants};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Numbers, Packet, Sampling, Tile};
@@ -125,9 +126,9 @@ pub trait Integrator: Send + Sync {
         false
     }
 
-    /// Whether it asks for [`Pass::coarse`].
-    fn reads_elements(&self) -> bool {
-        false
+    /// What it asks for of [`Pass::coarse`].
+    fn wants(&self) -> Wants {
+        Wants::default()
     }
 
     /// Adds the radiance [cd/m²] that reaches each pixel of the tile in this pass over the tile's eye paths; `out` has a plane for each of
@@ -145,6 +146,7 @@ pub static ALL: &[&dyn Integrator] = &[
     &final_gather::FinalGather,
     &mirror::Mirror,
     &caustic::Caustic,
+    &caustic_map::CausticMap,
     &caustic_path::CausticPath,
     &path::Path,
 ];
@@ -152,8 +154,15 @@ pub static ALL: &[&dyn Integrator] = &[
 /// The parts that make the whole picture, each path once.
 pub const WHOLE: &[&str] = &["emission", "direct", "vpl", "compensation", "mirror", "caustic"];
 
-/// The parts of the full solution of 1996: reflected light by final gathering.
-pub const FULL_SOLUTION: &[&str] = &["emission", "direct", "final-gather", "mirror", "caustic"];
+/// The parts of the full solution of 1996: reflected light by final gathering, caustics from a photon map.
+pub const FULL_SOLUTION: &[&str] = &["emission", "direct", "final-gather", "caustic-map"];
+
+/// Parts that cover the same paths: one and any other of a row.
+const RIVALS: &[(&str, &[&str])] = &[
+    ("final-gather", &["vpl", "cut-off", "compensation"]),
+    ("caustic-map", &["mirror", "caustic", CAUSTIC_ORACLE]),
+    (CAUSTIC_ORACLE, &["caustic"]),
+];
 
 /// The part that finds caustics without photons, for every part that asks for them.
 pub const CAUSTIC_ORACLE: &str = "caustic-path";
@@ -162,7 +171,7 @@ pub const CAUSTIC_ORACLE: &str = "caustic-path";
 ///
 /// # Errors
 /// [`Error::BadSetting`] for an unknown name, for none at all, and for parts that would count paths twice: `path` beside
-/// any other, both ways to find caustics, or both to find light that was reflected.
+/// any other, and for two ways to find the same light.
 pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>> {
     for name in names {
         if !ALL.iter().any(|i| i.name() == name.as_ref()) {
@@ -184,18 +193,13 @@ pub fn select<S: AsRef<str>>(names: &[S]) -> Result<Vec<&'static dyn Integrator>
             "\"path\" covers every path: beside it any other part counts twice".into(),
         ));
     }
-    let has = |name| chosen.iter().any(|i| i.name() == name);
-    if let Some(other) =
-        ["vpl", "cut-off", "compensation"].iter().find(|part| has("final-gather") && has(part))
-    {
-        return Err(Error::BadSetting(format!(
-            "\"final-gather\" covers the paths of \"{other}\": choose one of them"
-        )));
-    }
-    if has("caustic") && has(CAUSTIC_ORACLE) {
-        return Err(Error::BadSetting(
-            "\"caustic-path\" covers the paths of \"caustic\": choose one of them".into(),
-        ));
+    let has = |name: &str| chosen.iter().any(|i| i.name() == name);
+    for (part, others) in RIVALS.iter().filter(|(part, _)| has(part)) {
+        if let Some(other) = others.iter().find(|other| has(other)) {
+            return Err(Error::BadSetting(format!(
+                "\"{part}\" covers the paths of \"{other}\": choose one of them"
+            )));
+        }
     }
     Ok(chosen)
 }
@@ -205,9 +209,10 @@ pub fn gather_photons(parts: &[&dyn Integrator]) -> bool {
     parts.iter().any(|i| i.gathers_photons()) && parts.iter().all(|i| i.name() != CAUSTIC_ORACLE)
 }
 
-/// Whether the means of elements are of use to these parts.
-pub fn read_elements(parts: &[&dyn Integrator]) -> bool {
-    parts.iter().any(|i| i.reads_elements())
+/// What these parts ask for of a coarse solution.
+pub fn wants(parts: &[&dyn Integrator]) -> Wants {
+    let any = |of: fn(Wants) -> bool| parts.iter().any(|part| of(part.wants()));
+    Wants { reflected: any(|wants| wants.reflected), caustics: any(|wants| wants.caustics) }
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.

@@ -57,6 +57,12 @@ pub(crate) fn lobe(sharpness: f32, tangential2: f32, normal: f32) -> f32 {
 }
 
 impl Ward {
+    /// What it reflects and lets through evenly, and what by lobes about a direction: two materials that add up to it.
+    pub fn parted(self) -> [Ward; 2] {
+        let none = Diffuse { reflectance: Rgb::BLACK, transmittance: Rgb::BLACK };
+        [Ward { specular: Rgb::BLACK, transmission: Rgb::BLACK, ..self }, Ward { base: none, ..self }]
+    }
+
     /// f_r [sr⁻¹] of the lobes of `class`; mirrors evaluate to black.
     pub fn eval(&self, class: Class, wo: Vec3, wi: Vec3) -> Rgb {
         let gloss = self.glosses(class).find(|g| g.reaches(wo, wi));

@@ -72,7 +72,7 @@ impl From<&Material> for Finish {
 }
 
 impl Finish {
-    fn new(bsdf: Bsdf, emission: Rgb, both_sides_glow: bool) -> Finish {
+    pub(super) fn new(bsdf: Bsdf, emission: Rgb, both_sides_glow: bool) -> Finish {
         Finish {
             bsdf,
             emission,

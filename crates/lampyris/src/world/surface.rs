@@ -7,7 +7,7 @@
 //! What a body of glass absorbs is asked at its interface: a straight way runs inside a body if either of its ends lies
 //! on the inner side of one. (Of a way between two things cast into the same glass no end knows.)
 
-use super::finish::{Coat, WHITE};
+use super::finish::{Coat, Finish, WHITE};
 use crate::color::Rgb;
 use crate::geometry::{Frame, SurfacePoint};
 use crate::material::{Bsdf, Class, Scatter, Transport};
@@ -58,6 +58,14 @@ impl<'w> Surface<'w> {
             material: u32::MAX,
             mirror: None,
         }
+    }
+
+    /// The same point of two materials that add up to its own: one scatters evenly, the other about a direction. `None` where
+    /// they cannot be told apart.
+    pub fn parted(&self) -> Option<[Surface<'w>; 2]> {
+        let Bsdf::Ward(ward) = self.finish.bsdf else { return None };
+        let of = |part| Finish::new(Bsdf::Ward(part), self.finish.emission, self.finish.both_sides_glow);
+        Some(ward.parted().map(|part| Surface { finish: Coat::Own(of(part)), ..*self }))
     }
 
     /// Radiance that the surface itself sends toward `wo` [cd/m²].
