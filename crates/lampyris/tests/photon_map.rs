@@ -242,11 +242,12 @@ fn the_caustic_on_the_table_is_the_oracles() {
     let at = |[u, v]: [f32; 2]| low + Vec3::new(size[0] * u, size[1] * v, 0.0);
     let oracle = settings(&["caustic-path"], 1, 1 << 6, 0);
     let truth = |seed| {
-        let meters: Vec<_> = (0..METERS).map(|i| meter(at(spread(i, seed)) + Vec3::Z * 1e-5, Vec3::Z)).collect();
+        let meters: Vec<_> =
+            (0..METERS).map(|i| meter(at(spread(i, seed)) + Vec3::Z * 1e-5, Vec3::Z)).collect();
         let s = Settings { seed, ..oracle.clone() };
         lux(world.scene(), &meters, &s, 1).iter().sum::<f64>() * area / f64::from(METERS)
     };
-    let truth: Moments = (0..8).map(truth).collect();
+    let truth: Moments = (0..40).map(truth).collect();
     say(format_args!("oracle {:.5} lm ± {:.1e}", truth.mean(), truth.standard_error() / truth.mean()));
     assert!(3.0 * truth.standard_error() < 0.01 * truth.mean());
 
