@@ -99,7 +99,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 );
             }
         }
-        let estimate = Estimate { kernel: Kernel::Cone, reach: Reach::Nearest { count: COUNT, within: 1.0 } };
+        let estimate =
+            Estimate { kernel: Kernel::Constant, reach: Reach::Nearest { count: COUNT, within: 1.0 } };
         let start = Instant::now();
         let kept = Precomputed::new(map, 4, estimate);
         println!("{name}: illuminance kept at every fourth photon in {:.2} s", start.elapsed().as_secs_f64());

@@ -247,7 +247,7 @@ fn the_caustic_on_the_table_is_the_oracles() {
         let s = Settings { seed, ..oracle.clone() };
         lux(world.scene(), &meters, &s, 1).iter().sum::<f64>() * area / f64::from(METERS)
     };
-    let truth: Moments = (0..8).map(truth).collect();
+    let truth: Moments = (0..40).map(truth).collect();
     say(format_args!("oracle {:.5} lm ± {:.1e}", truth.mean(), truth.standard_error() / truth.mean()));
     assert!(3.0 * truth.standard_error() < 0.01 * truth.mean());
 

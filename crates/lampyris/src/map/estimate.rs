@@ -65,20 +65,18 @@ struct Place {
     code: CoarseNormal,
     /// Photons on the other side count too: the surface transmits light.
     both_sides: bool,
-    /// A photon that does not count.
-    except: Option<u32>,
 }
 
 impl Place {
     fn new(position: Vec3, normal: Vec3) -> Place {
-        Place { position, normal, code: normal.into(), both_sides: false, except: None }
+        Place { position, normal, code: normal.into(), both_sides: false }
     }
 
     /// Whether a photon lies on the surface.
     #[inline]
-    fn holds(&self, number: u32, photon: &Photon, distance2: f32) -> bool {
+    fn holds(&self, photon: &Photon, distance2: f32) -> bool {
         let above = (photon.position() - self.position).dot(self.normal);
-        if above * above > SAME_PLANE * SAME_PLANE * distance2 || self.except == Some(number) {
+        if above * above > SAME_PLANE * SAME_PLANE * distance2 {
             return false;
         }
         if photon.normal() == self.code {
@@ -93,8 +91,8 @@ impl PhotonMap {
     /// Calls `take` with each photon within `radius` [m] on the side of a surface that the unit `normal` points to.
     pub fn on_surface(&self, x: Vec3, normal: Vec3, radius: f32, mut take: impl FnMut(&Photon)) {
         let place = Place::new(x, normal);
-        self.within(x, radius, |number, photon, distance2| {
-            if place.holds(number, photon, distance2) {
+        self.within(x, radius, |_, photon, distance2| {
+            if place.holds(photon, distance2) {
                 take(photon);
             }
         });
@@ -120,13 +118,6 @@ impl<'m> Reader<'m> {
     /// Illuminance of the side of a surface that the unit `normal` points to [lx].
     pub fn irradiance(&mut self, x: Vec3, normal: Vec3) -> Rgb {
         self.sum(&Place::new(x, normal), Photon::flux)
-    }
-
-    /// [`Self::irradiance`] where a photon of the map lies, by all others: with itself it would always find one too many.
-    pub fn irradiance_at(&mut self, number: u32) -> Rgb {
-        let Some(photon) = self.map.photons().get(number as usize) else { return Rgb::BLACK };
-        let place = Place::new(photon.position(), photon.normal().into());
-        self.sum(&Place { except: Some(number), ..place }, Photon::flux)
     }
 
     /// Radiance that the dull lobes of `x` send toward its `wo` [cd/m²].
@@ -159,17 +150,15 @@ impl<'m> Reader<'m> {
         let radius2 = (radius * radius).max(Kernel::LEAST_RADIUS2);
         if let Reach::Within(_) = reach {
             let per_square = 1.0 / radius2;
-            self.map.within(place.position, radius, |number, photon, distance2| {
-                if place.holds(number, photon, distance2) {
+            self.map.within(place.position, radius, |_, photon, distance2| {
+                if place.holds(photon, distance2) {
                     sum += light(photon) * kernel.weight(distance2 * per_square);
                 }
             });
             return sum * Kernel::per_area(radius2);
         }
         let Reader { map, nearest, .. } = self;
-        map.nearest(place.position, radius, nearest, |number, photon, distance2| {
-            place.holds(number, photon, distance2)
-        });
+        map.nearest(place.position, radius, nearest, |_, photon, distance2| place.holds(photon, distance2));
         let full = nearest.is_full();
         let farthest = nearest.found().next().map_or(0.0, |(_, distance2)| distance2);
         let radius2 = if full { farthest.max(Kernel::LEAST_RADIUS2) } else { radius2 };

@@ -92,7 +92,7 @@ fn what_lies_nowhere_is_left_out() {
         assert_eq!(empty.closest(Vec3::ZERO, radius, |_, _| true), None);
         for reach in [Reach::Within(radius), Reach::Nearest { count: 5, within: radius }] {
             let mut reader = Reader::new(&empty, Estimate { kernel: Kernel::Cone, reach });
-            assert!(reader.irradiance(Vec3::ZERO, Vec3::Y).is_black() && reader.irradiance_at(0).is_black());
+            assert!(reader.irradiance(Vec3::ZERO, Vec3::Y).is_black());
         }
     }
 }
@@ -256,8 +256,8 @@ fn degenerate_places_have_finite_light() {
     }
 }
 
-/// What is kept at every k-th photon is the estimate there without that photon, whose mean is that of even light; a look-up
-/// gives what is kept at the nearest of them on the same side, the same as a look at all.
+/// What is kept at every k-th photon is the estimate there, and a look-up gives what is kept at the nearest of them on the
+/// same side.
 #[test]
 fn what_is_kept_at_photons_is_found_again() {
     let place = |i: u32| Vec3::new(2.0 * random(i, 0), 0.0, 2.0 * random(i, 1));
@@ -267,16 +267,10 @@ fn what_is_kept_at_photons_is_found_again() {
         let photons = kept.map().photons();
         let (values, step) = kept.values();
         assert_eq!((values.len(), step), (photons.len().div_ceil(every as usize), every));
-        let inside = |p: Vec3| p.x.min(p.z) > 0.2 && p.x.max(p.z) < 1.8;
-        let mut mean = Moments::default();
+        let mut reader = Reader::new(kept.map(), estimate);
         for (value, photon) in values.iter().zip(photons.iter().step_by(every as usize)) {
-            if inside(photon.position()) {
-                mean.push(f64::from(value.g) / 5000.0);
-            }
+            assert_eq!(*value, reader.irradiance(photon.position(), Vec3::Y));
         }
-        // Neighbours share photons: 64 % of 20 000 photons in groups of 30 are some 400 independent values, of
-        // standard deviation √(3/2 / 29) each, so the mean is within four times 1.1 %.
-        assert!((mean.mean() - 1.0).abs() < 0.045, "{every}: {}", mean.mean());
         for i in 0..1000 {
             let x = Vec3::new(2.0 * random(i, 5), 0.001, 2.0 * random(i, 6));
             let far = |k: usize| (photons[k].position() - x).length_squared();
@@ -286,6 +280,33 @@ fn what_is_kept_at_photons_is_found_again() {
             assert_eq!(kept.irradiance(x, Vec3::Y, 1.0), expected);
             assert_eq!(kept.irradiance(x, Vec3::NEG_Y, 1.0), None);
             assert_eq!(kept.irradiance(x + Vec3::Y, Vec3::Y, 0.5), None);
+        }
+    }
+}
+
+/// Photons strewn at random, 1 lm each: what look-ups anywhere find is their density in the mean, by the constant kernel exactly.
+#[test]
+fn look_ups_are_right_in_the_mean() {
+    const PHOTONS: u32 = 1500;
+    let reaches = [Reach::Within(0.2), Reach::Nearest { count: 50, within: 9.0 }];
+    for every in [1, 4] {
+        for reach in reaches {
+            let estimate = Estimate { kernel: Kernel::Constant, reach };
+            let draw = |draw: u32| {
+                let place = |i: u32| {
+                    let [x, z] = [0, 1].map(|d| 2.0 * sequence::uniform(draw + 1, i, d) - 1.0);
+                    Vec3::new(x, 0.0, z)
+                };
+                let kept = Precomputed::new(map((0..PHOTONS).map(place)), every, estimate);
+                let at = |k: u32| Vec3::new((k % 8) as f32 * 0.1 - 0.35, 0.0, (k / 8) as f32 * 0.1 - 0.35);
+                let found = |k| kept.irradiance(at(k), Vec3::Y, 1.0).map_or(0.0, |e| f64::from(e.g));
+                (0..64).map(found).sum::<f64>() / 64.0 / (f64::from(PHOTONS) / 4.0)
+            };
+            let all: Moments = (0..256).map(draw).collect();
+            let (p, error) = (all.p_value(1.0), all.standard_error());
+            assert!(p > sidak(0.01, 4), "{every}, {reach:?}: {} ± {error}", all.mean());
+            // Without itself a photon would tell one in fifty too little, and twice itself as much too much.
+            assert!(error < 0.005, "{every}, {reach:?} says nothing: {error}");
         }
     }
 }
