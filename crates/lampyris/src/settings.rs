@@ -63,7 +63,7 @@ impl Settings {
     }
 }
 
-/// How light is found by final gathering [Keller96, §4.3].
+/// How light is found by final gathering.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gather {
     /// SCR, rays that look from each visible point in an eye pass.
