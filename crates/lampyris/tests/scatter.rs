@@ -385,3 +385,30 @@ fn white_rooms_are_left_alive() {
         assert!(off < 1e-6 || moments.p_value(0.25) > sidak(0.01, 20), "{j}: {}", moments.mean());
     }
 }
+
+/// The rule stops where its formula says, and not before: Δ worked out anew from the light of N₁ and of N₂ paths.
+#[test]
+fn the_rule_is_its_formula() {
+    let world = cube(gloss(0.5, 0.2, 0.2));
+    let elements = Elements::halved(&world, 2).expect("few");
+    let walk = RandomWalk::new(&world, Rules::default());
+    let criterion = Criterion { epsilon: 1e-3, step: 500, times: 3, most: 100_000 };
+    let done = converge(&walk, &elements, &criterion);
+    let light = |n: usize| ElementLight::of(&walk, &elements, 0..500 * n as u32).radiances(&elements);
+    let k = elements.len() as f64;
+    for (n, change) in (1..).zip(&done.changes) {
+        let squares = light(n).into_iter().zip(light(n + 1)).map(|(a, b)| {
+            [a.r - b.r, a.g - b.g, a.b - b.b].map(|d| f64::from(d).powi(2)).iter().sum::<f64>()
+        });
+        // Areas are equal; Σ L₀ |A| = ¼ · 6.
+        let expected = (squares.sum::<f64>() / (k * k)).sqrt() / 1.5;
+        assert!((change / expected - 1.0).abs() < 1e-3, "{n}: {change} for {expected}");
+    }
+    let below: Vec<bool> = done.changes.iter().map(|c| *c < 1e-3).collect();
+    let first = below.windows(3).position(|w| w == [true; 3]).expect("it stops");
+    assert_eq!(done.changes.len(), first + 3);
+    assert_eq!(done.paths, Some(500 * (first as u32 + 4)), "N₁ = (n + t) ΔN, n from 1, and ΔN more");
+    assert_eq!((done.light.paths(), done.light.rays() > 4000), (u64::from(done.paths.unwrap()), true));
+    let impatient = converge(&walk, &elements, &Criterion { most: 1400, ..criterion });
+    assert_eq!((impatient.paths, impatient.light.paths(), impatient.changes.len()), (None, 1000, 1));
+}

@@ -68,7 +68,7 @@ pub fn converge(walk: &RandomWalk<'_>, elements: &Elements, criterion: &Criterio
     let (mut held, mut walked) = (0, 0);
     let scale = 1.0 / (emitted(walk) * (elements.len() as f64 * elements.total_area()).sqrt());
     while walked < most / step {
-        let wave = walked..(walked + WAVE).min(most / step);
+        let wave = walked..walked.saturating_add(WAVE).min(most / step);
         let pieces: Vec<(Vec<(u32, Rgb)>, u64)> =
             wave.into_par_iter().map(|n| piece(walk, elements, n * step, step)).collect();
         for (left, rays) in pieces {
