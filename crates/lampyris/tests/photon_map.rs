@@ -114,15 +114,30 @@ fn the_closed_cube_is_evenly_lit() {
     }
 }
 
-/// Parallel light on gloss: what the map reflects is f_r E, for dull lobes alone and for all of them, since all photons
-/// there come from one direction, known to 0.64°: at α = 0.2 and these angles that changes f_r by a few per cent at most,
-/// and the illuminance of 2¹⁶ photons is known to one.
+/// Mirrors and clear glass keep no photons: nothing could be read from them.
+#[test]
+fn mirrors_and_glass_keep_nothing() {
+    let mirror = gloss(0.0, 0.9, 0.0);
+    for (bsdf, kept) in [(mirror, false), (support::glass(), false), (gloss(0.0, 0.9, 0.1), true)] {
+        let mut b = Build::default();
+        let floor = b.material(bsdf, 0.0, Sides::Both);
+        b.quad(Vec3::new(-1.0, 0.0, -1.0), Vec3::Z * 2.0, Vec3::X * 2.0, floor);
+        b.bulb(Vec3::new(0.3, 1.0, 0.2), 100.0);
+        let map = maps(&World::new(b.0), 1000, Keep::Every, 1).global;
+        assert_eq!(!map.photons().is_empty(), kept);
+    }
+}
+
+/// Parallel light on gloss: what the map reflects is f_r E, for dull lobes alone and for all of them, since all photons there
+/// come from one direction. It is known to 0.64°, half that at the half vector, so f_r ∝ exp(−tan²δ/α²) is known to
+/// 2 tan δ · 0.0056/α²: where δ is 8°, as nearest the peak here, to 4 % at α = 0.2 and to 15 % at 0.1. The illuminance of 2¹⁶
+/// photons is known to one.
 #[test]
 fn gloss_is_seen_in_the_map() {
     let (down, e) = (Vec3::new(0.3, -0.8, 0.2).normalize(), 1000.0);
-    for (alpha, both) in [(0.2, false), (0.3, false), (0.1, true)] {
+    for (base, alpha, both) in [(0.3, 0.2, false), (0.3, 0.3, false), (0.3, 0.1, true), (0.0, 0.1, true)] {
         let mut b = Build::default();
-        let floor = b.material(gloss(0.3, 0.4, alpha), 0.0, Sides::FrontOnly);
+        let floor = b.material(gloss(base, 0.4, alpha), 0.0, Sides::FrontOnly);
         b.quad(Vec3::new(-1.0, 0.0, -1.0), Vec3::Z * 2.0, Vec3::X * 2.0, floor);
         b.light(LightKind::Directional { direction: down, illuminance: Rgb::grey(e) });
         let world = World::new(b.0);
@@ -134,11 +149,13 @@ fn gloss_is_seen_in_the_map() {
             let f = |class| x.eval(class, x.wo, -down).g;
             let lit = e * -down.y;
             let dull = f64::from(reader.radiance(&x).g);
-            close("dull", dull, f64::from(f(Class::Dull) * lit), 0.04);
+            if base > 0.0 {
+                close("dull", dull, f64::from(f(Class::Dull) * lit), 0.04);
+            }
             let full = f64::from(reader.full_radiance(&x).g);
             let all = f(Class::Dull) + f(Class::Sharp);
             close("full", full, f64::from(all * lit), if both { 0.15 } else { 0.04 });
-            assert_eq!(f(Class::Sharp) > 0.0, both && full > dull);
+            assert!(f(Class::Sharp) > 0.0 && full > dull || !both && full == dull);
         }
     }
 }

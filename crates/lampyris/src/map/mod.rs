@@ -5,6 +5,30 @@
 //! kernels over a fixed radius or the nearest photons (`kernel`, `estimate`). For those who ask very often illuminance is kept at
 //! the photons themselves ([`Precomputed`]). The caustic photons of a batch in their hash grid are another matter
 //! ([`crate::photon`]): there the radius is known beforehand. Nothing here knows of pixels.
+//!
+//! ```
+//! use glam::Vec3;
+//! use lampyris::map::{Estimate, Kernel, Maps, Precomputed, Reach, Reader, Shots};
+//! use lampyris::{Rgb, geometry::Ray, import, world::World};
+//!
+//! let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.mgf");
+//! let world = World::new(import::load(file.as_ref(), &import::Options::default())?.scene);
+//! let shots = Shots { paths: 1 << 14, ..Shots::default() };
+//! let maps = Maps::new(&world, &shots, |_emitter| Rgb::WHITE);
+//! assert!(maps.caustic.photons().is_empty()); // nothing is sharp here
+//!
+//! let floor = world.closest(&Ray::new(Vec3::new(3.5, 1.0, 1.0), Vec3::NEG_Y)).unwrap();
+//! let estimate = Estimate { kernel: Kernel::Constant, reach: Reach::Nearest { count: 100, within: 1.0 } };
+//! let mut reader = Reader::new(&maps.global, estimate);
+//! let lux = reader.irradiance(floor.position, floor.normal).luminance();
+//! let radiance = reader.radiance(&floor); // toward floor.wo [cd/m²]
+//! assert!(lux > 0.5 && lux < 5.0 && radiance.luminance() > 0.1 * lux, "{lux} lx, {radiance:?}");
+//!
+//! let kept = Precomputed::new(maps.global, 4, estimate);
+//! let near = kept.irradiance(floor.position, floor.normal, 0.5).unwrap();
+//! assert!((near.luminance() / lux - 1.0).abs() < 0.5, "{near:?} for {lux}");
+//! # Ok::<(), lampyris::Error>(())
+//! ```
 
 mod direction;
 mod estimate;

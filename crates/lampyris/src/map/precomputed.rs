@@ -56,7 +56,7 @@ impl Precomputed {
     /// farther than `radius` [m]; `None` if there is none.
     pub fn irradiance(&self, x: Vec3, normal: Vec3, radius: f32) -> Option<Rgb> {
         let number = self.map.closest(x, radius, |number, photon| {
-            number % self.every == 0 && Vec3::from(photon.normal()).dot(normal) >= SIMILAR
+            number.is_multiple_of(self.every) && Vec3::from(photon.normal()).dot(normal) >= SIMILAR
         })?;
         self.values.get((number / self.every) as usize).copied()
     }

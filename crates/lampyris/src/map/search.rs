@@ -31,9 +31,9 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    /// Room for so many.
+    /// Of so many; memory is taken as they are found, and kept for the next search.
     pub fn new(most: usize) -> Nearest {
-        Nearest { most, found: Vec::with_capacity(most) }
+        Nearest { most, found: Vec::new() }
     }
 
     /// True if there are as many as were asked for.

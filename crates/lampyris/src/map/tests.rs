@@ -129,7 +129,7 @@ fn searches_find_what_a_look_at_all_photons_finds() {
                 assert_eq!(found, all, "{count} in {name}, {radius} m around {x}");
 
                 let most = [0, 1, 2, 5, 50, 3000][i as usize / 6 % 6];
-                let wanted = |number: u32| number % (1 + i % 3) == 0;
+                let wanted = |number: u32| number.is_multiple_of(1 + i % 3);
                 all.retain(|(_, number)| wanted(*number));
                 let mut nearest = Nearest::new(most);
                 map.nearest(x, radius, &mut nearest, |number, _, _| wanted(number));

@@ -9,23 +9,24 @@
 use super::PhotonMap;
 use super::photon::{Past, Photon};
 use crate::color::Rgb;
+use crate::material::Class;
 use crate::photon;
 use crate::scatter::{Arrival, RandomWalk, Rules};
 use crate::sequence;
-use crate::world::World;
+use crate::world::{Surface, World};
 use std::ops::Range;
 
-/// Which light a map keeps, of what comes to dull surfaces.
+/// Which light a map keeps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Keep {
-    /// All of it.
+    /// All that comes to surfaces other than mirrors and clear glass.
     #[default]
     Every,
-    /// What a dull lobe reflected before: neither direct light nor caustics of lamps.
+    /// Of it, what a dull lobe reflected before: neither direct light nor caustics of lamps.
     Reflected,
-    /// What came over sharp lobes alone, once at least: L S⁺ D.
+    /// What comes to dull surfaces over sharp lobes alone, once at least: L S⁺ D.
     Caustic,
-    /// What came straight from a lamp.
+    /// What comes to dull surfaces straight from a lamp.
     Direct,
 }
 
@@ -68,14 +69,20 @@ pub struct Maps {
 impl Keep {
     /// Whether this light is kept.
     pub fn wants(self, light: &Arrival<'_>) -> bool {
-        let wanted = match self {
-            Keep::Every => true,
-            Keep::Reflected => light.diffused,
-            Keep::Caustic => light.is_caustic(),
-            Keep::Direct => light.bounces == 0,
-        };
-        wanted && !light.surface.finish.dull.is_black()
+        let dull = || !light.surface.finish.dull.is_black();
+        match self {
+            Keep::Every => answers(&light.surface),
+            Keep::Reflected => light.diffused && answers(&light.surface),
+            Keep::Caustic => light.is_caustic() && dull(),
+            Keep::Direct => light.bounces == 0 && dull(),
+        }
     }
+}
+
+/// Whether an estimate at a surface finds anything: it has a lobe that is no delta. If all are sharp their peak tells.
+fn answers(x: &Surface<'_>) -> bool {
+    let mirrored = || x.shading * (2.0 * x.shading.dot(x.wo)) - x.wo;
+    !x.finish.dull.is_black() || !x.eval(Class::Sharp, mirrored(), x.wo).is_black()
 }
 
 impl Maps {
