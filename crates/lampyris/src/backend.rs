@@ -91,7 +91,7 @@ impl Settings {
         if element.is_nan() || element <= 0.0 {
             return bad("the edge of an element must be longer than nothing");
         }
-        if !(radius > 0.0 && radius <= 1.0) || !(1..=16).contains(&levels) {
+        if !(radius > 0.0 && radius <= 1.0 && (1..=16).contains(&levels)) {
             return bad(
                 "final gathering asks for photons within 0 to 1 radii of the scene, and 1 to 16 levels",
             );
