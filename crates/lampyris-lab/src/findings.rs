@@ -1,0 +1,227 @@
+//! What an experiment yields: comparisons with the paper, and things to look at. Plain data, without a word of HTML.
+
+use crate::plot::Plot;
+use lampyris::Rgb;
+use lampyris::output::{Display, Exposure, Picture, ToneCurve};
+use serde::{Deserialize, Serialize};
+
+/// All that an experiment found.
+#[derive(Default)]
+pub struct Findings {
+    /// The paper's figures beside ours.
+    pub comparisons: Vec<Comparison>,
+    /// What else there is to see, in this order.
+    pub exhibits: Vec<Exhibit>,
+    /// Where the paper leaves something open, errs, or cannot be repeated.
+    pub gaps: Vec<String>,
+}
+
+impl Findings {
+    /// One more comparison.
+    pub fn compare(&mut self, comparison: Comparison) {
+        self.comparisons.push(comparison);
+    }
+
+    /// One more thing to look at.
+    pub fn show(&mut self, exhibit: impl Into<Exhibit>) {
+        self.exhibits.push(exhibit.into());
+    }
+
+    /// One more gap of the paper.
+    pub fn gap(&mut self, text: impl Into<String>) {
+        self.gaps.push(text.into());
+    }
+}
+
+/// A figure of the paper, ours, and what we ask of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// What was measured.
+    pub what: String,
+    /// In what; empty for a pure number.
+    pub unit: String,
+    /// What the paper has.
+    pub paper: Option<f64>,
+    /// What it has instead of a number, or says of it.
+    pub says: String,
+    /// What we measured.
+    pub ours: f64,
+    /// What ours should be.
+    pub demand: Option<Demand>,
+}
+
+/// What a figure should be.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Demand {
+    /// This or more.
+    AtLeast(f64),
+    /// This or less.
+    AtMost(f64),
+    /// From the one to the other.
+    Within(f64, f64),
+}
+
+impl Comparison {
+    /// Of ours alone.
+    pub fn new(what: impl Into<String>, unit: &str, ours: f64) -> Comparison {
+        Comparison {
+            what: what.into(),
+            unit: unit.into(),
+            paper: None,
+            says: String::new(),
+            ours,
+            demand: None,
+        }
+    }
+
+    /// With the paper's figure.
+    pub fn paper(self, paper: f64) -> Comparison {
+        Comparison { paper: Some(paper), ..self }
+    }
+
+    /// With the paper's words.
+    pub fn says(self, says: impl Into<String>) -> Comparison {
+        Comparison { says: says.into(), ..self }
+    }
+
+    /// With what ours should be.
+    pub fn demand(self, demand: Demand) -> Comparison {
+        Comparison { demand: Some(demand), ..self }
+    }
+
+    /// Ours over the paper's.
+    pub fn ratio(&self) -> Option<f64> {
+        self.paper.filter(|paper| *paper != 0.0).map(|paper| self.ours / paper)
+    }
+
+    /// Whether it is what it should be, where there is something it should be. What is no number is not.
+    pub fn held(&self) -> Option<bool> {
+        self.demand.map(|demand| match demand {
+            Demand::AtLeast(least) => self.ours >= least,
+            Demand::AtMost(most) => self.ours <= most,
+            Demand::Within(least, most) => (least..=most).contains(&self.ours),
+        })
+    }
+}
+
+/// Something to look at.
+pub enum Exhibit {
+    /// Rows and columns.
+    Table(Table),
+    /// Curves or points.
+    Plot(Plot),
+    /// Pictures side by side.
+    Images(Vec<Image>),
+    /// Words.
+    Note(String),
+}
+
+impl From<Table> for Exhibit {
+    fn from(table: Table) -> Exhibit {
+        Exhibit::Table(table)
+    }
+}
+
+impl From<Plot> for Exhibit {
+    fn from(plot: Plot) -> Exhibit {
+        Exhibit::Plot(plot)
+    }
+}
+
+impl From<Vec<Image>> for Exhibit {
+    fn from(images: Vec<Image>) -> Exhibit {
+        Exhibit::Images(images)
+    }
+}
+
+impl From<String> for Exhibit {
+    fn from(text: String) -> Exhibit {
+        Exhibit::Note(text)
+    }
+}
+
+impl From<&str> for Exhibit {
+    fn from(text: &str) -> Exhibit {
+        Exhibit::Note(text.into())
+    }
+}
+
+/// Rows and columns.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Table {
+    /// What it shows.
+    pub title: String,
+    /// Head of each column, with its unit.
+    pub columns: Vec<String>,
+    /// Cells, row by row.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// Without rows as yet.
+    pub fn new<const N: usize>(title: impl Into<String>, columns: [&str; N]) -> Table {
+        Table { title: title.into(), columns: columns.map(String::from).into(), rows: Vec::new() }
+    }
+
+    /// One more row.
+    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
+        self.rows.push(cells.into());
+    }
+}
+
+/// A picture as a display shows it.
+pub struct Image {
+    /// What it shows.
+    pub caption: String,
+    /// Its light.
+    pub picture: Picture,
+    /// How that is displayed.
+    pub display: Display,
+    /// How many pixels of the page each of its pixels is wide.
+    pub zoom: u32,
+}
+
+impl Image {
+    /// Of light [cd/m²], by an exposure that is the same for all that shall be compared.
+    pub fn of_light(caption: impl Into<String>, picture: Picture, exposure: Exposure) -> Image {
+        let display = Display { exposure, tone: Some(ToneCurve::Filmic), despeckle: false };
+        Image { caption: caption.into(), picture, display, zoom: 1 }
+    }
+
+    /// Of numbers, 0 black and 1 white, `width` in a row.
+    pub fn of_numbers(caption: impl Into<String>, width: u32, numbers: &[f64]) -> Image {
+        // At 0 EV 100 cd/m² are white.
+        let radiance: Vec<Rgb> = numbers.iter().map(|v| Rgb::grey(100.0 * *v as f32)).collect();
+        let picture = Picture::new(width, numbers.len() as u32 / width.max(1), radiance);
+        let display =
+            Display { exposure: Exposure::Ev(0.0), tone: Some(ToneCurve::Linear), despeckle: false };
+        Image { caption: caption.into(), picture, display, zoom: 1 }
+    }
+
+    /// Larger on the page.
+    pub fn zoomed(self, zoom: u32) -> Image {
+        Image { zoom, ..self }
+    }
+}
+
+/// A number for people, to three digits.
+pub(crate) fn digits(value: f64) -> String {
+    let size = value.abs();
+    match size {
+        _ if !value.is_finite() => "–".into(),
+        _ if size == 0.0 => "0".into(),
+        _ if size >= 1e6 || size < 1e-3 => {
+            let text = format!("{value:.2e}");
+            match text.split_once('e') {
+                Some((mantissa, exponent)) => format!("{mantissa} · 10^{exponent}"),
+                None => text,
+            }
+        }
+        _ if size >= 100.0 => format!("{value:.0}"),
+        _ if size >= 10.0 => format!("{value:.1}"),
+        _ if size >= 1.0 => format!("{value:.2}"),
+        _ if size >= 0.1 => format!("{value:.3}"),
+        _ if size >= 0.01 => format!("{value:.4}"),
+        _ => format!("{value:.5}"),
+    }
+}

@@ -1,0 +1,87 @@
+//! Figures of points and of pictures.
+
+use lampyris::Rgb;
+
+/// Star discrepancy of points in the unit square, exactly: the largest difference between the area of a box at the origin
+/// and the share of the points in it.
+pub(crate) fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
+    let n = points.len() as f64;
+    let mut xs: Vec<f64> = points.iter().map(|p| p[0]).chain([1.0]).collect();
+    xs.sort_by(f64::total_cmp);
+    let mut worst: f64 = 0.0;
+    for x in xs {
+        // Boxes as wide as this, closed on the right, and open.
+        for closed in [true, false] {
+            let inside = points.iter().filter(|p| p[0] < x || (closed && p[0] <= x));
+            let mut ys: Vec<f64> = inside.map(|p| p[1]).collect();
+            ys.sort_by(f64::total_cmp);
+            for (below, y) in ys.iter().enumerate() {
+                worst = worst.max((below as f64 + 1.0) / n - x * y).max(x * y - below as f64 / n);
+            }
+            worst = worst.max(x - ys.len() as f64 / n);
+        }
+    }
+    worst
+}
+
+/// The least distance between two of the points on the torus.
+pub(crate) fn least_distance(points: &[[f64; 2]]) -> f64 {
+    let mut least = f64::INFINITY;
+    for (k, p) in points.iter().enumerate() {
+        for q in &points[..k] {
+            let [dx, dy] = [0, 1].map(|d| (p[d] - q[d]).abs()).map(|d| d.min(1.0 - d));
+            least = least.min((dx * dx + dy * dy).sqrt());
+        }
+    }
+    least
+}
+
+/// Root of the mean square difference of luminances.
+pub(crate) fn rms(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let square = |(a, b): (&Rgb, &Rgb)| f64::from(a.luminance() - b.luminance()).powi(2);
+    (ours.iter().zip(truth).map(square).sum::<f64>() / truth.len().max(1) as f64).sqrt()
+}
+
+/// Mean luminance.
+pub(crate) fn mean(picture: &[Rgb]) -> f64 {
+    picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len().max(1) as f64
+}
+
+/// The mean of numbers.
+pub(crate) fn mean_of(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// p of a fit of value ~ nᵖ by least squares of logarithms.
+pub(crate) fn slope(points: &[[f64; 2]]) -> f64 {
+    let logs: Vec<[f64; 2]> =
+        points.iter().filter(|p| p[0] > 0.0 && p[1] > 0.0).map(|p| p.map(libm::log)).collect();
+    let n = logs.len() as f64;
+    let [x, y] = [0, 1].map(|d| logs.iter().map(|p| p[d]).sum::<f64>() / n);
+    let along = logs.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>();
+    along / logs.iter().map(|p| (p[0] - x).powi(2)).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn discrepancy_of_known_points() {
+        // One point: the worst box ends just before it, or at it.
+        assert!((star_discrepancy(&[[0.5, 0.5]]) - 0.75).abs() < 1e-12);
+        assert!((star_discrepancy(&[[0.0, 0.0]]) - 1.0).abs() < 1e-12);
+        assert!((star_discrepancy(&[[1.0, 1.0]]) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn distances_go_around() {
+        assert!((least_distance(&[[0.05, 0.5], [0.95, 0.5], [0.5, 0.5]]) - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_power_has_its_exponent() {
+        let points: Vec<[f64; 2]> = (1..9).map(|n| f64::from(n)).map(|n| [n, 3.0 / (n * n)]).collect();
+        assert!((slope(&points) + 2.0).abs() < 1e-12);
+    }
+}
