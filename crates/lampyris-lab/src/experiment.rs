@@ -4,6 +4,7 @@ use crate::effort::Effort;
 use crate::error::{Error, Result};
 use crate::findings::Findings;
 use crate::keller97;
+use crate::slides;
 
 /// A row of the table.
 pub struct Experiment {
@@ -27,7 +28,14 @@ pub struct Experiment {
 pub(crate) const KELLER97: &str = "A. Keller, Instant Radiosity, 1997";
 
 /// All of them, in the order of the page.
-pub const ALL: &[Experiment] = &[keller97::FIGURE_1];
+pub const ALL: &[Experiment] = &[
+    keller97::FIGURE_1,
+    keller97::FIGURE_4,
+    keller97::FIGURE_7,
+    keller97::FIGURE_8,
+    keller97::THINNING,
+    slides::HALTON,
+];
 
 /// Those of the names given, in the order of the table, each once; `all` stands for all of them.
 ///

@@ -207,21 +207,16 @@ impl Image {
 /// A number for people, to three digits.
 pub(crate) fn digits(value: f64) -> String {
     let size = value.abs();
-    match size {
-        _ if !value.is_finite() => "–".into(),
+    let text = match size {
+        _ if !size.is_finite() => "–".into(),
         _ if size == 0.0 => "0".into(),
-        _ if size >= 1e6 || size < 1e-3 => {
-            let text = format!("{value:.2e}");
-            match text.split_once('e') {
-                Some((mantissa, exponent)) => format!("{mantissa} · 10^{exponent}"),
-                None => text,
-            }
-        }
-        _ if size >= 100.0 => format!("{value:.0}"),
-        _ if size >= 10.0 => format!("{value:.1}"),
-        _ if size >= 1.0 => format!("{value:.2}"),
-        _ if size >= 0.1 => format!("{value:.3}"),
-        _ if size >= 0.01 => format!("{value:.4}"),
-        _ => format!("{value:.5}"),
-    }
+        _ if !(1e-3..1e6).contains(&size) => format!("{size:.2e}").replace('e', " · 10^"),
+        _ if size >= 100.0 => format!("{size:.0}"),
+        _ if size >= 10.0 => format!("{size:.1}"),
+        _ if size >= 1.0 => format!("{size:.2}"),
+        _ if size >= 0.1 => format!("{size:.3}"),
+        _ if size >= 0.01 => format!("{size:.4}"),
+        _ => format!("{size:.5}"),
+    };
+    if value < 0.0 { format!("−{text}") } else { text }
 }

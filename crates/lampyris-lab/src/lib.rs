@@ -12,6 +12,7 @@ mod keller97;
 mod page;
 mod plot;
 mod report;
+mod slides;
 mod statistics;
 
 pub use effort::Effort;

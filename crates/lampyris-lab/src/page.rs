@@ -15,8 +15,8 @@ pub(crate) fn html(records: &[Record]) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
          <title>Lampyris: the laboratory</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <header><h1>The laboratory</h1>\n<p>What the papers say, and what Lampyris measures. {} experiments; of {all} \
-         figures that we ask something of, {held} are as asked and {} are not. All figures: <a href=\"figures.json\">\
+         <header><h1>The laboratory</h1>\n<p>What the papers say, and what Lampyris measures. Experiments: {}. Figures \
+         that we ask something of: {all}, of which {held} are as asked and {} are missed. All figures are in <a href=\"figures.json\">\
          figures.json</a>.</p></header>\n<nav><ul>\n{contents}</ul></nav>\n<main>\n{sections}</main>\n</body>\n</html>\n",
         records.len(),
         all - held,
@@ -108,7 +108,7 @@ fn exhibit(folder: &str, shown: &Shown) -> String {
             let figure = |image: &ShownImage| {
                 let (file, [width, height], caption) = (&image.file, image.size, escape(&image.caption));
                 format!(
-                    "<figure><img src=\"{folder}/{file}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\"/>\
+                    "<figure style=\"width: {width}px\"><img src=\"{folder}/{file}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\"/>\
                      <figcaption>{caption}</figcaption></figure>\n"
                 )
             };

@@ -3,7 +3,7 @@
 //! Series differ by colour and by mark; the colours are those of Okabe and Ito, which people with any of the usual colour
 //! deficiencies tell apart. The ground is white also where the page is dark: a plot is a sheet of paper.
 
-use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
 use plotters::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
@@ -133,13 +133,7 @@ impl Plot {
     /// In words, where it cannot be drawn.
     pub(crate) fn svg(&self) -> Result<String, String> {
         let mut svg = String::new();
-        let drawn = match (self.x.log, self.y.log) {
-            (false, false) => self.draw(&mut svg, self.span(0), self.span(1)),
-            (true, false) => self.draw(&mut svg, self.span(0).log_scale(), self.span(1)),
-            (false, true) => self.draw(&mut svg, self.span(0), self.span(1).log_scale()),
-            (true, true) => self.draw(&mut svg, self.span(0).log_scale(), self.span(1).log_scale()),
-        };
-        drawn.map_err(|e| e.to_string())?;
+        self.draw(&mut svg).map_err(|e| e.to_string())?;
         Ok(svg)
     }
 
@@ -152,10 +146,10 @@ impl Plot {
     }
 
     /// From where to where an axis runs.
-    fn span(&self, which: usize) -> std::ops::Range<f64> {
+    fn scale(&self, which: usize) -> Scale {
         let axis = self.axis(which);
         if let Some([low, high]) = axis.range {
-            return low..high;
+            return Scale { low, high, log: axis.log };
         }
         let points = self.series.iter().flat_map(|s| &s.points).filter(|p| self.is_drawn(p));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -164,21 +158,15 @@ impl Plot {
             (low, high) = (1.0, 2.0);
         }
         if axis.log {
-            return low / 1.3..high * 1.3;
+            return Scale { low: low / 1.3, high: high * 1.3, log: true };
         }
         let margin = if high > low { (high - low) * 0.05 } else { low.abs().max(1.0) * 0.1 };
         // What is never negative begins at zero.
         let low = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low - margin };
-        low..high + margin
+        Scale { low, high: high + margin, log: false }
     }
 
-    fn draw<X, Y>(&self, svg: &mut String, x: X, y: Y) -> Result<(), Box<dyn Error>>
-    where
-        X: AsRangedCoord<Value = f64>,
-        Y: AsRangedCoord<Value = f64>,
-        X::CoordDescType: ValueFormatter<f64> + Ranged<ValueType = f64>,
-        Y::CoordDescType: ValueFormatter<f64> + Ranged<ValueType = f64>,
-    {
+    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
         let sheet = SVGBackend::with_string(svg, self.size()).into_drawing_area();
         sheet.fill(&WHITE).map_err(words)?;
         let named = self.series.iter().any(|s| !s.name.is_empty());
@@ -186,13 +174,10 @@ impl Plot {
         let mut builder = ChartBuilder::on(&left);
         builder.margin(12).margin_right(18).x_label_area_size(46).y_label_area_size(66);
         builder.caption(&self.title, (FONT, if self.square { 14 } else { 17 }));
-        let mut chart = builder.build_cartesian_2d(x, y).map_err(words)?;
-        let format = |value: &f64| tick(*value);
+        let mut chart = builder.build_cartesian_2d(self.scale(0), self.scale(1)).map_err(words)?;
         let mut mesh = chart.configure_mesh();
         mesh.x_desc(&self.x.label).y_desc(&self.y.label).axis_desc_style((FONT, 14)).label_style((FONT, 13));
-        mesh.x_label_formatter(&format).y_label_formatter(&format);
         mesh.light_line_style(WHITE).bold_line_style(RGBColor(224, 224, 224));
-        mesh.x_labels(if self.square { 5 } else { 9 }).y_labels(if self.square { 5 } else { 8 });
         mesh.draw().map_err(words)?;
         for (number, series) in self.series.iter().enumerate() {
             let stroke = color(number).stroke_width(2);
@@ -239,6 +224,66 @@ impl Plot {
             area.draw(&Text::new(series.name.clone(), (30, y - 7), (FONT, 13))).map_err(words)?;
         }
         Ok(())
+    }
+}
+
+/// What an axis maps, with marks at 1, 2 and 5 times powers of ten where it is logarithmic.
+#[derive(Clone)]
+struct Scale {
+    low: f64,
+    high: f64,
+    log: bool,
+}
+
+impl Scale {
+    fn share(&self, value: f64) -> f64 {
+        let of = |v: f64| if self.log { libm::log(v) } else { v };
+        (of(value) - of(self.low)) / (of(self.high) - of(self.low))
+    }
+
+    fn ticks(&self) -> Vec<f64> {
+        let inside = |t: &f64| (self.low..=self.high).contains(t);
+        if !self.log {
+            let step = nice((self.high - self.low) / 6.0);
+            let first = (self.low / step).ceil();
+            return (0..20).map(|k| (first + f64::from(k)) * step).filter(inside).collect();
+        }
+        let decades = libm::log10(self.low).floor() as i32..=libm::log10(self.high).ceil() as i32;
+        let of = |steps: &[f64]| -> Vec<f64> {
+            let powers = decades.clone().map(|e| libm::pow(10.0, f64::from(e)));
+            powers.flat_map(|power| steps.iter().map(move |s| s * power)).filter(inside).collect()
+        };
+        let fine = of(&[1.0, 2.0, 5.0]);
+        if fine.len() <= 8 { fine } else { of(&[1.0]) }
+    }
+}
+
+/// The least of 1, 2 and 5 times powers of ten that is no less.
+fn nice(step: f64) -> f64 {
+    let power = libm::pow(10.0, libm::log10(step).floor());
+    [1.0, 2.0, 5.0].map(|s| s * power).into_iter().find(|s| *s >= step * (1.0 - 1e-9)).unwrap_or(10.0 * power)
+}
+
+impl Ranged for Scale {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        from + (self.share(*value) * f64::from(to - from)).round() as i32
+    }
+
+    fn key_points<H: KeyPointHint>(&self, _: H) -> Vec<f64> {
+        self.ticks()
+    }
+
+    fn range(&self) -> std::ops::Range<f64> {
+        self.low..self.high
+    }
+}
+
+impl ValueFormatter<f64> for Scale {
+    fn format(value: &f64) -> String {
+        tick(*value)
     }
 }
 
@@ -290,6 +335,14 @@ fn tick(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn axes_are_marked_at_round_numbers() {
+        let scale = |low, high, log| Scale { low, high, log }.ticks();
+        assert_eq!(scale(0.0, 1.0, false).len(), 6);
+        assert_eq!(scale(0.004, 0.07, true), [0.005, 0.01, 0.02, 0.05]);
+        assert_eq!(scale(1.0, 1e6, true).len(), 7);
+    }
 
     #[test]
     fn ticks_are_short() {
