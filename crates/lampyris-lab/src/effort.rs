@@ -33,6 +33,14 @@ impl Effort<'_> {
     /// [`Error::Interrupted`] where nobody wants the rest.
     pub fn step(&self, done: usize, of: usize) -> Result<()> {
         (self.told)(done as f64 / of.max(1) as f64);
+        self.go_on_or_stop()
+    }
+
+    /// Between steps.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where nobody wants the rest.
+    pub fn go_on_or_stop(&self) -> Result<()> {
         if (self.go_on)() { Ok(()) } else { Err(Error::Interrupted) }
     }
 

@@ -1,10 +1,14 @@
 //! The closed table of experiments.
 
+use crate::artifacts;
+use crate::convergence;
 use crate::effort::Effort;
 use crate::error::{Error, Result};
 use crate::findings::Findings;
+use crate::jarosz05;
 use crate::keller97;
 use crate::slides;
+use crate::wald02;
 
 /// A row of the table.
 pub struct Experiment {
@@ -31,10 +35,22 @@ pub(crate) const KELLER97: &str = "A. Keller, Instant Radiosity, 1997";
 pub const ALL: &[Experiment] = &[
     keller97::FIGURE_1,
     keller97::FIGURE_4,
+    keller97::FIGURE_5,
     keller97::FIGURE_7,
     keller97::FIGURE_8,
+    keller97::FIGURE_9,
+    keller97::FIGURE_10,
+    keller97::FIGURE_11,
+    keller97::FIGURE_12,
     keller97::THINNING,
+    artifacts::ARTIFACTS,
     slides::HALTON,
+    keller97::GLOSS,
+    wald02::FIGURE_3,
+    wald02::TABLE_1,
+    wald02::SCENES,
+    jarosz05::TABLE_1,
+    convergence::CONVERGENCE,
 ];
 
 /// Those of the names given, in the order of the table, each once; `all` stands for all of them.

@@ -198,6 +198,18 @@ impl Image {
         Image { caption: caption.into(), picture, display, zoom: 1 }
     }
 
+    /// Half as wide and as high, each pixel the mean of four.
+    pub fn halved(self) -> Image {
+        let (width, height) = (self.picture.width / 2, self.picture.height / 2);
+        let at = |x: u32, y: u32| self.picture.radiance[(y * self.picture.width + x) as usize];
+        let four = |k: u32| {
+            let (x, y) = (2 * (k % width), 2 * (k / width));
+            (at(x, y) + at(x + 1, y) + at(x, y + 1) + at(x + 1, y + 1)) * 0.25
+        };
+        let radiance = (0..width * height).map(four).collect();
+        Image { picture: Picture::new(width, height, radiance), ..self }
+    }
+
     /// Larger on the page.
     pub fn zoomed(self, zoom: u32) -> Image {
         Image { zoom, ..self }
