@@ -6,7 +6,7 @@ use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::plot::{Axis, Plot, Series};
 use crate::stage::{CORNELL, Look, oracle, picture};
-use crate::statistics::slope;
+use crate::statistics::{mean, relative_square, slope};
 use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::backend::{Absorption, Backend, Batch, Settings};
@@ -45,7 +45,7 @@ fn ways() -> Vec<Way> {
 }
 
 fn convergence(effort: &Effort<'_>) -> Result<Findings> {
-    let edge = effort.of(32, 64);
+    let edge = effort.of(24, 64);
     let most = effort.of(32, 256);
     let ring = Look { eye: [0.03, -0.62, 0.28], target: [0.0, 0.0, 0.05], up: Vec3::Z, fov_y: 34.0 };
     let scenes = [("cornell.mgf", CORNELL), ("ring.mgf", ring)];
@@ -77,11 +77,14 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
             for index in 0..most {
                 effort.add(&mut cpu, Batch { index })?;
                 if (index + 1).is_power_of_two() {
-                    points.push([f64::from(index + 1), relative(&cpu.frame()?.mean(), &truth, &lit)]);
+                    points.push([
+                        f64::from(index + 1),
+                        relative_square(&kept(&cpu.frame()?.mean(), &lit), &kept(&truth, &lit)),
+                    ]);
                 }
             }
             let ours = cpu.frame()?.mean();
-            let ratio = mean_where(&ours, &lit) / mean_where(&truth, &lit);
+            let ratio = mean(&kept(&ours, &lit)) / mean(&kept(&truth, &lit));
             let power = slope(&points);
             table.row([
                 name.into(),
@@ -90,7 +93,7 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
                 digits(power),
                 format!("{ratio:.4}"),
             ]);
-            if way == 0 || name == "caustics by paths" {
+            if way == 0 {
                 let what = format!("{file}, {name}: exponent of the error over batches");
                 found.compare(
                     Comparison::new(what, "", power)
@@ -104,7 +107,7 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
                 found.compare(Comparison::new(what, "", ratio).demand(Demand::Within(0.98, 1.02)));
                 images.push(
                     Image::of_light(format!("{name}, {most} batches"), picture(&view, ours), exposure)
-                        .zoomed(if edge < 50 { 5 } else { 4 }),
+                        .zoomed(if edge < 50 { 8 } else { 4 }),
                 );
             }
             plot = plot.with(Series::line(name, points));
@@ -133,20 +136,6 @@ fn is_lit(truth: &[Rgb]) -> Vec<bool> {
     truth.iter().map(|c| c.luminance() > 0.0 && c.luminance() < most).collect()
 }
 
-fn mean_where(picture: &[Rgb], lit: &[bool]) -> f64 {
-    let kept: Vec<f64> =
-        picture.iter().zip(lit).filter(|(_, lit)| **lit).map(|(c, _)| f64::from(c.luminance())).collect();
-    crate::statistics::mean_of(&kept)
-}
-
-/// Mean of (a − b)²/(b² + ε) over what is lit, ε a hundredth of the squared mean.
-fn relative(ours: &[Rgb], truth: &[Rgb], lit: &[bool]) -> f64 {
-    let floor = 0.01 * mean_where(truth, lit).powi(2);
-    let of = |(a, b): (&Rgb, &Rgb)| {
-        let (a, b) = (f64::from(a.luminance()), f64::from(b.luminance()));
-        (a - b).powi(2) / (b * b + floor)
-    };
-    let kept: Vec<f64> =
-        ours.iter().zip(truth).map(of).zip(lit).filter(|(_, lit)| **lit).map(|(e, _)| e).collect();
-    crate::statistics::mean_of(&kept)
+fn kept(picture: &[Rgb], lit: &[bool]) -> Vec<Rgb> {
+    picture.iter().zip(lit).filter(|(_, lit)| **lit).map(|(c, _)| *c).collect()
 }

@@ -165,6 +165,7 @@ impl Table {
 
     /// One more row.
     pub fn row<const N: usize>(&mut self, cells: [String; N]) {
+        debug_assert_eq!(N, self.columns.len(), "{}", self.title);
         self.rows.push(cells.into());
     }
 }

@@ -67,6 +67,8 @@ pub struct Series {
 pub enum Mark {
     /// Joined, with a mark at each.
     Line,
+    /// Joined, without marks: a function.
+    Curve,
     /// Joined by dashes, without marks: theory, or what the paper says.
     Dashes,
     /// Marks alone.
@@ -183,12 +185,12 @@ impl Plot {
             let stroke = color(number).stroke_width(2);
             let drawn = || series.points.iter().filter(|p| self.is_drawn(p)).map(|p| (p[0], p[1]));
             match series.mark {
-                Mark::Line => chart.draw_series(LineSeries::new(drawn(), stroke)).map(drop),
+                Mark::Line | Mark::Curve => chart.draw_series(LineSeries::new(drawn(), stroke)).map(drop),
                 Mark::Dashes => chart.draw_series(DashedLineSeries::new(drawn(), 7, 5, stroke)).map(drop),
                 Mark::Dots => Ok(()),
             }
             .map_err(words)?;
-            if series.mark != Mark::Dashes {
+            if matches!(series.mark, Mark::Line | Mark::Dots) {
                 let radius = if series.points.len() > 100 { 2 } else { 4 };
                 for at in drawn().map(|at| chart.backend_coord(&at)) {
                     mark(&sheet, number, at, radius)?;
@@ -211,14 +213,14 @@ impl Plot {
             let y = 60 + 26 * row as i32;
             let stroke = color(number).stroke_width(2);
             let strokes: &[[i32; 2]] = match series.mark {
-                Mark::Line => &[[0, 24]],
+                Mark::Line | Mark::Curve => &[[0, 24]],
                 Mark::Dashes => &[[0, 7], [12, 19]],
                 Mark::Dots => &[],
             };
             for [from, to] in strokes {
                 area.draw(&PathElement::new(vec![(*from, y), (*to, y)], stroke)).map_err(words)?;
             }
-            if series.mark != Mark::Dashes {
+            if matches!(series.mark, Mark::Line | Mark::Dots) {
                 mark(sheet, number, (left + 12, y), 4)?;
             }
             area.draw(&Text::new(series.name.clone(), (30, y - 7), (FONT, 13))).map_err(words)?;

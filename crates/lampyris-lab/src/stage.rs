@@ -8,7 +8,7 @@ use lampyris::backend::{Absorption, Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::light::Shine;
-use lampyris::material::Class;
+use lampyris::material::{Bsdf, Class};
 use lampyris::output::Picture;
 use lampyris::particle::{Plan, Vpl, Walk};
 use lampyris::scene::{Camera, Scene, View};
@@ -44,6 +44,17 @@ pub(crate) fn oracle(effort: &Effort<'_>, scene: &Scene, view: &View, samples: u
     let settings = Settings { parts: vec!["path".into()], paths, seed: 9_001, ..Settings::default() };
     effort.render(&mut cpu, (scene.clone(), Eye::Camera(view.clone())), &settings, samples / paths)?;
     Ok(cpu.frame()?.mean())
+}
+
+/// The same scene with the diffuse part alone of what is glossy or a mirror by Ward's model.
+pub(crate) fn without_gloss(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for material in &mut scene.materials {
+        if let Bsdf::Ward(ward) = material.bsdf {
+            material.bsdf = Bsdf::Diffuse(ward.base);
+        }
+    }
+    scene
 }
 
 /// A picture of light.

@@ -42,6 +42,16 @@ pub(crate) fn rms(ours: &[Rgb], truth: &[Rgb]) -> f64 {
     (ours.iter().zip(truth).map(square).sum::<f64>() / truth.len().max(1) as f64).sqrt()
 }
 
+/// Mean of (a − b)²/(b² + ε) of luminances, ε a hundredth of the squared mean: dark pixels count like bright ones.
+pub(crate) fn relative_square(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let floor = 0.01 * mean(truth).powi(2);
+    let of = |(a, b): (&Rgb, &Rgb)| {
+        let (a, b) = (f64::from(a.luminance()), f64::from(b.luminance()));
+        (a - b).powi(2) / (b * b + floor)
+    };
+    ours.iter().zip(truth).map(of).sum::<f64>() / truth.len().max(1) as f64
+}
+
 /// Mean luminance.
 pub(crate) fn mean(picture: &[Rgb]) -> f64 {
     picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len().max(1) as f64

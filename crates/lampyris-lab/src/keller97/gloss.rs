@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::experiment::{Experiment, KELLER97};
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::slides::LECTURE;
-use crate::stage::{CORNELL, Literal, of_1997, oracle, picture};
+use crate::stage::{CORNELL, Literal, of_1997, oracle, picture, without_gloss};
 use crate::statistics::{mean, rms};
 use lampyris::Rgb;
 use lampyris::backend::{Absorption, Backend, Settings};
@@ -74,7 +74,7 @@ fn figure_11(effort: &Effort<'_>) -> Result<Findings> {
     effort.step(1, 3)?;
     let full = Literal::new(&world, &view).picture(effort, &of_1997(128), 0)?;
     effort.step(2, 3)?;
-    let diffuse = with_diffuse_floor(&scene);
+    let diffuse = without_gloss(&scene);
     let diffuse_world = World::new(diffuse);
     let dull = Literal::new(&diffuse_world, &view).picture(effort, &of_1997(128), 0)?;
     let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
@@ -107,16 +107,6 @@ fn figure_11(effort: &Effort<'_>) -> Result<Findings> {
     ]);
     found.gap("The report does not describe its floor. Here it is the Cornell box's with Ward's lobe, ρ_d = 0.3, ρ_s = 0.3, α = 0.18.");
     Ok(found)
-}
-
-fn with_diffuse_floor(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    for material in &mut scene.materials {
-        if let Bsdf::Ward(ward) = material.bsdf {
-            material.bsdf = Bsdf::Diffuse(ward.base);
-        }
-    }
-    scene
 }
 
 fn gloss(effort: &Effort<'_>) -> Result<Findings> {

@@ -116,11 +116,8 @@ fn figure_10(effort: &Effort<'_>) -> Result<Findings> {
         let comparison = Comparison::new(what, "s", scaled).paper(SECONDS);
         found.compare(goal.map_or(comparison.clone(), |goal| comparison.demand(Demand::AtMost(goal))));
         let exposure = Exposure::Auto;
-        images.push(Image::of_light(
-            format!("{name}, {points:.0} point lights"),
-            picture(&view, cpu.frame()?.mean()),
-            exposure,
-        ));
+        let caption = format!("{name}, {points:.0} point lights");
+        images.push(Image::of_light(caption, picture(&view, cpu.frame()?.mean()), exposure).halved());
         effort.step(images.len(), 2)?;
     }
     found.show(table);

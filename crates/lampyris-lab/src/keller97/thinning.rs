@@ -4,7 +4,7 @@ use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::{Experiment, KELLER97};
 use crate::findings::{Comparison, Demand, Findings, Table, digits};
-use crate::plot::{Axis, Plot, Series};
+use crate::plot::{Axis, Mark, Plot, Series};
 use glam::{Affine3A, Vec3};
 use lampyris::backend::{Absorption, Backend, Settings};
 use lampyris::cpu::Cpu;
@@ -52,6 +52,7 @@ fn thinning(effort: &Effort<'_>) -> Result<Findings> {
             paths.to_string(),
             digits(theory),
             digits(literal),
+            digits(literal_error),
             digits(dealt),
             digits(ours),
             digits(error),
@@ -82,10 +83,7 @@ fn thinning(effort: &Effort<'_>) -> Result<Findings> {
     for reflectance in [0.5, 0.7, 0.9] {
         let points = (0..=70).map(|k| libm::pow(10.0, 0.5 + f64::from(k) * 0.05));
         let points = points.map(|n| [n, 100.0 * lost(reflectance, n)]).collect();
-        plot =
-            plot.with(Series {
-                name: format!("ρ̄ = {reflectance}"), points, mark: crate::plot::Mark::Line
-            });
+        plot = plot.with(Series { name: format!("ρ̄ = {reflectance}"), points, mark: Mark::Curve });
     }
     found.show(table);
     found.show(plot);

@@ -67,7 +67,7 @@ fn table_1(effort: &Effort<'_>) -> Result<Findings> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let mut threads: Vec<usize> = [1, 2, 4, 8, 16, 32].into_iter().filter(|n| *n < cores).collect();
     threads.push(cores);
-    let frames = effort.of(3, 15);
+    let frames = effort.of(2, 15);
     // Of the paper: clients of two processors each.
     let clients = [1.0, 2.0, 4.0, 8.0, 16.0];
     let rooms = [
@@ -125,7 +125,7 @@ fn table_1(effort: &Effort<'_>) -> Result<Findings> {
 
 fn scenes(effort: &Effort<'_>) -> Result<Findings> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let frames = effort.of(3, 15);
+    let frames = effort.of(2, 15);
     let paper = |file: &str| match file {
         "table.mgf" => ("Room with table", 3.3, 16.0, 22.0),
         "egg.mgf" => ("Room with egg", 2.5, 16.0, 30.0),
