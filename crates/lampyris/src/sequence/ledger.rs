@@ -32,6 +32,19 @@
 //! | sharp vertex k ≥ 0: choice of lobe | 4k + 10 | k + 2 |
 //! | sharp vertex k ≥ 0: Russian roulette | 4k + 11 | k + 2 |
 //!
+//! | path of the walk of 1996 | dimensions |
+//! |---|---|
+//! | light, and point on it | 0, 1 |
+//! | direction of emission | 2, 3 |
+//! | bounce 1 ≤ j ≤ 6: absorption, class and, with the rest of the number, direction | 2j + 2, 2j + 3 |
+//! | bounce 1 ≤ j ≤ 6: choice of lobe where a class has several | j + 15 |
+//! | (free) | 22, 23 |
+//! | bounce j ≥ 7: absorption, class, direction | 4j − 4, 4j − 3 |
+//! | bounce j ≥ 7: choice of lobe | 4j − 2 |
+//! | (free) | 4j − 1 |
+//!
+//! The first sixteen are those of [Keller96, §4.4], since low dimensions are the better ones.
+//!
 //! A decision named with two dimensions returns the first of them. Which images a weak mirror makes in an eye pass, plain
 //! random numbers of the pass decide, one an image (`integrator/mirror.rs`).
 
@@ -112,9 +125,29 @@ pub mod photon {
     }
 }
 
+/// Decisions of a path of the walk of 1996.
+pub mod scatter {
+    /// The light and the point on it, two dimensions.
+    pub const POINT: u32 = 0;
+    /// Direction of emission, two dimensions.
+    pub const EMISSION: u32 = 2;
+    /// Bounces whose directions lie in the first sixteen dimensions.
+    const PAPER: u32 = 6;
+
+    /// Absorption, class and direction at bounce j ≥ 1, two dimensions.
+    pub const fn direction(j: u32) -> u32 {
+        if j <= PAPER { 2 * j + 2 } else { 4 * j - 4 }
+    }
+
+    /// Choice among the lobes of a class at bounce j ≥ 1.
+    pub const fn lobe(j: u32) -> u32 {
+        if j <= PAPER { j + 15 } else { 4 * j - 2 }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{eye, light, photon};
+    use super::{eye, light, photon, scatter};
 
     #[test]
     fn no_dimension_serves_two_decisions() {
@@ -135,5 +168,14 @@ mod tests {
         let mut used = vec![photon::POINT, 1, photon::DIRECTION, 3, photon::BODY, 5, 6, 7];
         used.extend((0..10).flat_map(|k| (0..4).map(move |d| photon::vertex(k) + d)));
         assert_eq!(used, (0..48).collect::<Vec<_>>());
+
+        let mut used = vec![scatter::POINT, 1, scatter::EMISSION, 3, 22, 23];
+        used.extend((7..20).map(|j| 4 * j - 1));
+        for j in 1..20 {
+            used.extend([scatter::direction(j), scatter::direction(j) + 1, scatter::lobe(j)]);
+        }
+        used.sort_unstable();
+        assert_eq!(used, (0..76).collect::<Vec<_>>());
+        assert!((1..=6).all(|j| scatter::direction(j) + 1 < 16), "sixteen dimensions are the paper's");
     }
 }

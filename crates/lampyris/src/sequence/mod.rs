@@ -4,13 +4,20 @@
 //! Every sample lies in [0, 1), strictly below 1 as an `f32`. Which decision reads which dimension is written down in
 //! [`ledger`]; what the numbers are mapped to is `sampling`'s business.
 
+pub mod discrepancy;
+pub mod faure;
+mod generator;
 pub mod halton;
 pub mod hammersley;
 mod hash;
+pub mod inversive;
+pub mod lattice;
+pub mod lcg;
 pub mod ledger;
 pub mod radical_inverse;
 pub mod sobol;
 
+pub use generator::{Generator, STRIDE};
 pub use halton::{halton, jittered_halton, scrambled_halton};
 pub use hammersley::{hammersley, jittered_hammersley};
 pub use hash::{hash, mix, uniform, unit_f32};

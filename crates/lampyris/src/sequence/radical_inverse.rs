@@ -26,6 +26,18 @@ pub fn radical_inverse_f64(base: u32, i: u32) -> f64 {
     mirrored as f64 / scale as f64
 }
 
+/// Φ_b(i) of a long index, in [0, 1): rounded digit by digit, from the least on. `base` ≥ 2.
+pub fn radical_inverse_u64(base: u32, i: u64) -> f64 {
+    let scale = 1.0 / f64::from(base);
+    let (mut rest, mut value, mut weight) = (i, 0.0, scale);
+    while rest > 0 {
+        value += (rest % u64::from(base)) as f64 * weight;
+        weight *= scale;
+        rest /= u64::from(base);
+    }
+    value.min(1.0_f64.next_down())
+}
+
 /// Φ_b(i + 1) from x = Φ_b(i), without knowing i [Keller97, Fig. 3; HW64].
 ///
 /// It is cheap but has state, and two limits. Rounding accumulates and is never corrected: in base 3 the error is 2e-12
@@ -50,9 +62,17 @@ pub fn next_radical_inverse(base: u32, x: f64) -> f64 {
 /// The leading zeros count as digits, down to 2⁻³²: they are permuted too, which shifts the whole sequence and frees
 /// it of the point 0. In base 2 the permutations are one exclusive-or. `base` ≥ 2.
 pub fn scrambled_radical_inverse(base: u32, i: u32, seed: u32) -> f32 {
+    if base == 2 {
+        return unit_f32(i.reverse_bits() ^ hash(seed, base));
+    }
+    round_down(scrambled_radical_inverse_f64(base, i, seed))
+}
+
+/// [`scrambled_radical_inverse`] in double precision.
+pub fn scrambled_radical_inverse_f64(base: u32, i: u32, seed: u32) -> f64 {
     let seed = hash(seed, base);
     if base == 2 {
-        return unit_f32(i.reverse_bits() ^ seed);
+        return f64::from(i.reverse_bits() ^ seed) / 4_294_967_296.0;
     }
     let (mut rest, mut mirrored, mut scale, mut position) = (i, 0u64, 1u64, 0);
     while scale < 1 << 32 {
@@ -62,7 +82,7 @@ pub fn scrambled_radical_inverse(base: u32, i: u32, seed: u32) -> f32 {
         rest /= base;
         position += 1;
     }
-    round_down(mirrored as f64 / scale as f64)
+    mirrored as f64 / scale as f64
 }
 
 /// The image of `digit` < `base` under the random permutation of 0 … base − 1 that belongs to `key`.

@@ -117,6 +117,16 @@ pub fn sobol_owen(index: u32, dimension: u32, seed: u32) -> f32 {
     unit_f32(owen_in_group(group_index(index, dimension, seed), dimension, seed))
 }
 
+/// Owen's scramble of the whole table [2⁻³²]: the first [`DIMENSIONS`] are one sequence and stratified together, where
+/// [`sobol_owen`] knows groups of four; beyond them it repeats under a shuffled index.
+pub fn sobol_owen_wide_word(index: u32, dimension: u32, seed: u32) -> u32 {
+    let index = match dimension / DIMENSIONS {
+        0 => index,
+        group => owen(index, hash(!seed, group)),
+    };
+    owen(sobol(index, dimension % DIMENSIONS), hash(seed, dimension))
+}
+
 /// Two consecutive dimensions of [`sobol_owen`], cheaper where `dimension` is even; equal to it to the bit.
 pub fn sobol_owen_pair(index: u32, dimension: u32, seed: u32) -> [f32; 2] {
     if dimension % GROUP == GROUP - 1 {
@@ -149,10 +159,15 @@ fn owen_in_group(shuffled: u32, dimension: u32, seed: u32) -> u32 {
 /// The first [`DIMENSIONS`] are the sequence itself; beyond them it repeats under a shuffled index. Cheap, but the
 /// net keeps its fixed structure: the error of smooth integrands does not gain what Owen's scramble gains.
 pub fn sobol_xor(index: u32, dimension: u32, seed: u32) -> f32 {
+    unit_f32(sobol_xor_word(index, dimension, seed))
+}
+
+/// [`sobol_xor`] with all of its bits [2⁻³²].
+pub fn sobol_xor_word(index: u32, dimension: u32, seed: u32) -> u32 {
     let index = match dimension / DIMENSIONS {
         0 => index,
         // A mere exclusive-or of the index would be one of the value: the group would repeat the first.
         group => owen(index, hash(!seed, group)),
     };
-    unit_f32(sobol(index, dimension % DIMENSIONS) ^ hash(seed, dimension))
+    sobol(index, dimension % DIMENSIONS) ^ hash(seed, dimension)
 }

@@ -1,0 +1,124 @@
+//! The mean diffusely reflected radiance of each element: every particle that hits it adds its flux, attenuated by what the
+//! dull lobes of the surface reflect [Keller96, §4.3, "Indirect Diffuse Illumination"].
+
+use super::Elements;
+use crate::color::Rgb;
+use crate::material::{Bsdf, Class, Diffuse, Ward};
+use crate::scatter::{Arrival, RUN, RandomWalk};
+use crate::world::World;
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Paths whose arrivals are held in memory before they are summed.
+const WAVE: u32 = 64 * RUN;
+
+/// What paths have left on the elements of a world.
+#[derive(Clone, Debug, Default)]
+pub struct ElementLight {
+    /// Flux that each sends on diffusely, summed over the paths [lm].
+    sums: Vec<[f64; 3]>,
+    /// N.
+    paths: u64,
+    rays: u64,
+}
+
+impl ElementLight {
+    /// Of no path yet.
+    pub fn new(elements: &Elements) -> ElementLight {
+        ElementLight { sums: vec![[0.0; 3]; elements.len()], paths: 0, rays: 0 }
+    }
+
+    /// The light of some paths of a walk, on all threads; the same bits on any number of them.
+    pub fn of(walk: &RandomWalk<'_>, elements: &Elements, numbers: Range<u32>) -> ElementLight {
+        let mut light = ElementLight::new(elements);
+        let world = walk.world();
+        for start in numbers.clone().step_by(WAVE as usize) {
+            let wave = start..numbers.end.min(start.saturating_add(WAVE));
+            light.paths += u64::from(wave.end - wave.start);
+            for (left, rays) in walk.paths(wave, |left: &mut Vec<(u32, Rgb)>, arrival| {
+                leave(world, elements, arrival, |element, flux| left.push((element, flux)));
+            }) {
+                light.add(&left, 0, rays);
+            }
+        }
+        light
+    }
+
+    /// Adds what so many more paths left, in its order.
+    pub(super) fn add(&mut self, left: &[(u32, Rgb)], paths: u32, rays: u64) {
+        for (element, flux) in left {
+            let sum = &mut self.sums[*element as usize];
+            let flux = [flux.r, flux.g, flux.b].map(f64::from);
+            (0..3).for_each(|c| sum[c] += flux[c]);
+        }
+        self.paths += u64::from(paths);
+        self.rays += rays;
+    }
+
+    /// N: the paths so far.
+    pub fn paths(&self) -> u64 {
+        self.paths
+    }
+
+    /// The rays that they took.
+    pub fn rays(&self) -> u64 {
+        self.rays
+    }
+
+    /// L̄_{A_k}: mean radiance that the element reflects, and lets through, diffusely [cd/m²]; its emission apart.
+    pub fn radiance(&self, elements: &Elements, element: u32) -> Rgb {
+        let [r, g, b] = self.exact(elements, element).map(|x| x as f32);
+        Rgb::new(r, g, b)
+    }
+
+    /// [`Self::radiance`] of all, for lookups by [`Elements::at`].
+    pub fn radiances(&self, elements: &Elements) -> Vec<Rgb> {
+        (0..elements.len() as u32).map(|k| self.radiance(elements, k)).collect()
+    }
+
+    /// In double precision; nothing where there is no area.
+    pub(super) fn exact(&self, elements: &Elements, element: u32) -> [f64; 3] {
+        let per = PI * f64::from(elements.area(element)) * self.paths as f64;
+        self.sums[element as usize].map(|sum| if per > 0.0 { sum / per } else { 0.0 })
+    }
+}
+
+/// Calls `add` with each element on which an arrival leaves light, and the flux that it sends on diffusely, of a path that
+/// were the only one [lm].
+pub(super) fn leave(
+    world: &World,
+    elements: &Elements,
+    arrival: &Arrival<'_>,
+    mut add: impl FnMut(u32, Rgb),
+) {
+    let Some(flux) = arrival.lit() else { return };
+    let front = arrival.surface.front;
+    let [reflected, passed] = shares(arrival);
+    for (share, front) in [(reflected, front), (passed, !front)] {
+        if let (false, Some(element)) = (share.is_black(), elements.at(world, &arrival.hit, front)) {
+            add(element, flux * share);
+        }
+    }
+}
+
+/// What the dull lobes send back to the side of arrival, and what to the other. Of rough glass, half each.
+fn shares(arrival: &Arrival<'_>) -> [Rgb; 2] {
+    let y = &arrival.surface;
+    if let Some(rho) = y.finish.lambertian {
+        return [rho, Rgb::BLACK];
+    }
+    let all = y.albedo(Class::Dull);
+    match y.finish.bsdf {
+        Bsdf::Diffuse(m) => [m.reflectance, m.transmittance],
+        Bsdf::Ward(m) => {
+            let base = Diffuse { transmittance: Rgb::BLACK, ..m.base };
+            let opaque = Ward { base, transmission: Rgb::BLACK, ..m };
+            let cosine = y.cosine(y.wo).min(1.0);
+            let sine = (1.0 - cosine * cosine).sqrt();
+            let back = opaque.albedo(Class::Dull, glam::Vec3::new(sine, 0.0, cosine));
+            [back, (all + back * -1.0).map(|x| x.max(0.0))]
+        }
+        Bsdf::Dielectric(_) | Bsdf::Pbr(_) if y.finish.transmits => [all * 0.5; 2],
+        Bsdf::Dielectric(_) | Bsdf::Pbr(_) => [all, Rgb::BLACK],
+    }
+}
