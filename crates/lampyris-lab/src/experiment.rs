@@ -6,6 +6,7 @@ use crate::effort::Effort;
 use crate::error::{Error, Result};
 use crate::findings::Findings;
 use crate::jarosz05;
+use crate::keller96;
 use crate::keller97;
 use crate::slides;
 use crate::wald02;
@@ -33,6 +34,9 @@ pub(crate) const KELLER97: &str = "A. Keller, Instant Radiosity, 1997";
 
 /// All of them, in the order of the page.
 pub const ALL: &[Experiment] = &[
+    keller96::DISCREPANCY,
+    keller96::TABLE_1,
+    keller96::TABLE_2,
     keller97::FIGURE_1,
     keller97::FIGURE_4,
     keller97::FIGURE_5,

@@ -11,6 +11,7 @@ mod error;
 mod experiment;
 mod findings;
 mod jarosz05;
+mod keller96;
 mod keller97;
 mod page;
 mod plot;
