@@ -44,10 +44,24 @@ pub struct Comparison {
     pub paper: Option<f64>,
     /// What it has instead of a number, or says of it.
     pub says: String,
-    /// What we measured.
+    /// What we measured; no number where nothing came of it.
+    #[serde(with = "number")]
     pub ours: f64,
     /// What ours should be.
     pub demand: Option<Demand>,
+}
+
+/// What is no number is null in JSON.
+mod number {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        value.is_finite().then_some(*value).serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<f64, D::Error> {
+        Option::deserialize(from).map(|value| value.unwrap_or(f64::NAN))
+    }
 }
 
 /// What a figure should be.
@@ -232,4 +246,25 @@ pub(crate) fn digits(value: f64) -> String {
         _ => format!("{size:.5}"),
     };
     if value < 0.0 { format!("−{text}") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_told_in_three_digits() {
+        let told = [0.0, 1.0, -12.34, 123.4, 0.0456, 1.5e-5, 12_345_678.0, f64::NAN].map(digits);
+        assert_eq!(told, ["0", "1.00", "−12.3", "123", "0.0456", "1.50 · 10^-5", "1.23 · 10^7", "–"]);
+    }
+
+    #[test]
+    fn what_is_no_number_holds_nothing_and_survives_a_file() {
+        let figure = Comparison::new("N", "", f64::NAN).paper(2.0).demand(Demand::AtLeast(0.0));
+        assert_eq!(figure.held(), Some(false));
+        let back: Comparison = serde_json::from_str(&serde_json::to_string(&figure).unwrap()).unwrap();
+        assert!(back.ours.is_nan() && back.paper == Some(2.0));
+        let held = Comparison::new("N", "", 1.0).paper(2.0).demand(Demand::Within(1.0, 2.0));
+        assert_eq!((held.held(), held.ratio()), (Some(true), Some(0.5)));
+    }
 }

@@ -76,19 +76,25 @@ pub enum Mark {
 }
 
 impl Series {
+    /// What is no number is no point.
+    pub fn of(name: impl Into<String>, points: Vec<[f64; 2]>, mark: Mark) -> Series {
+        let points = points.into_iter().filter(|p| p.iter().all(|v| v.is_finite())).collect();
+        Series { name: name.into(), points, mark }
+    }
+
     /// A measured curve.
     pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Series {
-        Series { name: name.into(), points, mark: Mark::Line }
+        Series::of(name, points, Mark::Line)
     }
 
     /// A curve by theory.
     pub fn dashes(name: impl Into<String>, points: Vec<[f64; 2]>) -> Series {
-        Series { name: name.into(), points, mark: Mark::Dashes }
+        Series::of(name, points, Mark::Dashes)
     }
 
     /// Points.
     pub fn dots(name: impl Into<String>, points: Vec<[f64; 2]>) -> Series {
-        Series { name: name.into(), points, mark: Mark::Dots }
+        Series::of(name, points, Mark::Dots)
     }
 }
 

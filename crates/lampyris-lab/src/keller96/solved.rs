@@ -5,7 +5,7 @@ use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Table, digits};
-use crate::plot::{Axis, Plot, Series};
+use crate::plot::{Axis, Mark, Plot, Series};
 use crate::statistics::mean_of;
 use lampyris::elements::ClosedCube;
 use lampyris::scatter::Ending;
@@ -77,10 +77,7 @@ fn table_1(effort: &Effort<'_>) -> Result<Findings> {
             {
                 let steps = runs[0].changes.iter().zip(1..);
                 let points = steps.map(|(change, n)| [1000.0 * f64::from(n), *change]).collect();
-                plot = plot.with(Series {
-                    mark: crate::plot::Mark::Curve,
-                    ..Series::line(generator.name(), points)
-                });
+                plot = plot.with(Series::of(generator.name(), points, Mark::Curve));
             }
             if let (24, Some([paper, ..])) = (k, of_paper(generator)) {
                 found

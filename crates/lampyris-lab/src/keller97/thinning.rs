@@ -83,7 +83,7 @@ fn thinning(effort: &Effort<'_>) -> Result<Findings> {
     for reflectance in [0.5, 0.7, 0.9] {
         let points = (0..=70).map(|k| libm::pow(10.0, 0.5 + f64::from(k) * 0.05));
         let points = points.map(|n| [n, 100.0 * lost(reflectance, n)]).collect();
-        plot = plot.with(Series { name: format!("ρ̄ = {reflectance}"), points, mark: Mark::Curve });
+        plot = plot.with(Series::of(format!("ρ̄ = {reflectance}"), points, Mark::Curve));
     }
     found.show(table);
     found.show(plot);
