@@ -26,7 +26,7 @@ pub(crate) const ARTIFACTS: Experiment = Experiment {
 };
 
 fn artifacts(effort: &Effort<'_>) -> Result<Findings> {
-    let edge = effort.of(72, 200);
+    let edge = effort.of(60, 200);
     let view = CORNELL.view([edge, edge]);
     let scene = effort.scene("cornell.mgf")?;
     let world = World::new(scene.clone());

@@ -53,7 +53,7 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
     for (number, (file, look)) in scenes.into_iter().enumerate() {
         let scene = effort.scene(file)?;
         let view = look.view([edge, edge]);
-        let truth = oracle(effort, &scene, &view, effort.of(2048, 16_384))?;
+        let truth = oracle(effort, &scene, &view, effort.of(1024, 16_384))?;
         let lit = is_lit(&truth);
         let steps = 2 * (ways().len() + 1);
         effort.step(number * (ways().len() + 1) + 1, steps)?;

@@ -237,13 +237,14 @@ pub(crate) fn digits(value: f64) -> String {
     let text = match size {
         _ if !size.is_finite() => "–".into(),
         _ if size == 0.0 => "0".into(),
-        _ if !(1e-3..1e6).contains(&size) => format!("{size:.2e}").replace('e', " · 10^"),
+        _ if !(1e-4..1e6).contains(&size) => format!("{size:.2e}").replace('e', " · 10^"),
         _ if size >= 100.0 => format!("{size:.0}"),
         _ if size >= 10.0 => format!("{size:.1}"),
         _ if size >= 1.0 => format!("{size:.2}"),
         _ if size >= 0.1 => format!("{size:.3}"),
         _ if size >= 0.01 => format!("{size:.4}"),
-        _ => format!("{size:.5}"),
+        _ if size >= 1e-3 => format!("{size:.5}"),
+        _ => format!("{size:.6}"),
     };
     if value < 0.0 { format!("−{text}") } else { text }
 }
