@@ -24,6 +24,8 @@ pub(crate) enum Quantity {
     Luminance,
     /// What surfaces receive more than in a look, or less [lx].
     Difference,
+    /// The share of what comes to the eye that clamping takes from virtual lights, and short rays pay back [%].
+    Clamped,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -124,15 +126,9 @@ impl Legend {
         told
     }
 
-    /// A picture in its colours. Where nothing can be said of what surfaces receive, it is hatched; `against` is the picture
-    /// that it is compared with.
-    pub(crate) fn paint(
-        &self,
-        radiance: &[Rgb],
-        against: Option<&[Rgb]>,
-        albedos: Option<&[Rgb]>,
-        size: [u32; 2],
-    ) -> Option<Painted> {
+    /// A picture in its colours; `None` where it has not what it takes. Where nothing can be said of a pixel it is hatched.
+    pub(crate) fn paint(&self, picture: &Picture<'_>) -> Option<Painted> {
+        let Picture { radiance, against, albedos, clamped, size } = *picture;
         let lux = |(c, albedo): (&Rgb, &Rgb)| illuminance(*c, *albedo).unwrap_or(f32::NAN);
         let values: Vec<f32> = match self.quantity {
             Quantity::Luminance => radiance.iter().map(|c| c.luminance()).collect(),
@@ -141,9 +137,29 @@ impl Legend {
                 let pixels = radiance.iter().zip(against?).zip(albedos?);
                 pixels.map(|((now, then), albedo)| lux((now, albedo)) - lux((then, albedo))).collect()
             }
+            // Black of black is no share of it.
+            Quantity::Clamped => {
+                let share = |(all, taken): (&Rgb, &Rgb)| 100.0 * taken.luminance() / all.luminance();
+                radiance.iter().zip(clamped?).map(share).collect()
+            }
         };
         self.colors.paint(&values, size).ok()
     }
+}
+
+/// What there is to be told of by a legend, row by row from the top.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Picture<'a> {
+    /// What comes to the eye [cd/m²].
+    pub(crate) radiance: &'a [Rgb],
+    /// The same of the picture that it is compared with.
+    pub(crate) against: Option<&'a [Rgb]>,
+    /// What surfaces reflect, black where that does not tell what they receive.
+    pub(crate) albedos: Option<&'a [Rgb]>,
+    /// What of `radiance` clamping takes from virtual lights [cd/m²].
+    pub(crate) clamped: Option<&'a [Rgb]>,
+    /// Width and height [pixels].
+    pub(crate) size: [u32; 2],
 }
 
 #[cfg(test)]
@@ -173,11 +189,15 @@ mod tests {
         let asked = json!({"quantity": "illuminance", "low": 1, "high": 100, "scale": "log"});
         let legend = Legend::read(&asked).unwrap().unwrap();
         let radiance = vec![Rgb::grey(3.0); 256];
-        let matt = legend.paint(&radiance, None, Some(&[Rgb::grey(0.5); 256]), [16, 16]).unwrap();
+        let painted = |albedos: Option<&[Rgb]>| {
+            let picture = Picture { radiance: &radiance, albedos, size: [16, 16], ..Picture::default() };
+            legend.paint(&picture)
+        };
+        let matt = painted(Some(&[Rgb::grey(0.5); 256])).unwrap();
         assert!(matt.pixels.iter().all(|p| *p == matt.pixels[0]));
-        let none = legend.paint(&radiance, None, Some(&[Rgb::BLACK; 256]), [16, 16]).unwrap();
+        let none = painted(Some(&[Rgb::BLACK; 256])).unwrap();
         assert!(none.pixels.iter().all(|p| *p != matt.pixels[0]));
-        assert!(legend.paint(&radiance, None, None, [16, 16]).is_none());
+        assert!(painted(None).is_none());
     }
 
     /// Each pixel has the colour of what its surface receives more than in the other picture, whatever it reflects.
@@ -197,12 +217,14 @@ mod tests {
         let then: Vec<Rgb> = albedos.iter().map(|albedo| lit(150.0, *albedo)).collect();
         let now: Vec<Rgb> = albedos.iter().zip(&changes).map(|(a, change)| lit(150.0 + change, *a)).collect();
         let plain = Legend { colors: FalseColor { lines: Vec::new(), ..legend.colors.clone() }, ..legend };
-        let painted = plain.paint(&now, Some(&then), Some(&albedos), [count, 1]).unwrap();
+        let picture =
+            Picture { radiance: &now, albedos: Some(&albedos), size: [count, 1], ..Picture::default() };
+        let painted = plain.paint(&Picture { against: Some(&then), ..picture }).unwrap();
         for (pixel, change) in painted.pixels.iter().zip(&changes) {
             let wanted = (0.5 + 0.5 * change / 100.0) * 247.0;
             assert!((f32::from(*pixel) - wanted).abs() < 0.51, "{change}: {pixel}");
         }
-        assert!(plain.paint(&now, None, Some(&albedos), [count, 1]).is_none());
+        assert!(plain.paint(&picture).is_none());
         for (field, value) in [
             ("against", Value::Null),
             ("quantity", "illuminance".into()),
@@ -214,5 +236,24 @@ mod tests {
             bad[field] = value;
             assert!(Legend::read(&bad).is_err(), "{field}");
         }
+    }
+
+    /// Each pixel has the colour of the share that was taken, and where nothing comes from nobody can tell.
+    #[test]
+    fn what_was_clamped_is_a_share() {
+        let asked =
+            json!({"quantity": "clamped", "low": 0, "high": 50, "scale": "linear", "palette": "grey"});
+        let legend = Legend::read(&asked).unwrap().unwrap();
+        let radiance: Vec<Rgb> = (1..=51).map(|k| Rgb::grey(k as f32)).collect();
+        let clamped: Vec<Rgb> = radiance.iter().enumerate().map(|(k, c)| *c * (0.01 * k as f32)).collect();
+        let picture = Picture { radiance: &radiance, size: [51, 1], ..Picture::default() };
+        let painted = legend.paint(&Picture { clamped: Some(&clamped), ..picture }).unwrap();
+        for (k, pixel) in painted.pixels.iter().enumerate() {
+            assert!((f32::from(*pixel) - 247.0 * k as f32 / 50.0).abs() < 0.51, "{k} %: {pixel}");
+        }
+        assert!(legend.paint(&picture).is_none());
+        let black = [Rgb::BLACK; 51];
+        let dark = legend.paint(&Picture { radiance: &black, clamped: Some(&black), ..picture }).unwrap();
+        assert!(dark.pixels.iter().all(|pixel| *pixel >= 248));
     }
 }

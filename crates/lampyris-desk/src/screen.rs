@@ -3,7 +3,7 @@
 
 use crate::handled::{self, Kept};
 use crate::hub::{CameraText, Hub, Shown};
-use crate::legend::Legend;
+use crate::legend::{self, Legend, Quantity};
 use crate::wire::{Head, Kind};
 use jpeg_encoder::{ColorType, SamplingFactor};
 use lampyris::Rgb;
@@ -20,6 +20,8 @@ pub(crate) struct Light {
     pub(crate) still: Option<Arc<Still>>,
     /// What the surfaces behind the pixels reflect, where that tells what they receive.
     pub(crate) albedos: Option<Arc<Vec<Rgb>>>,
+    /// What clamping takes of it, in fewer pixels.
+    pub(crate) clamped: Option<Arc<Still>>,
     pub(crate) camera: Arc<CameraText>,
     pub(crate) look: Option<Arc<crate::wire::Look>>,
     pub(crate) batches: u32,
@@ -208,7 +210,13 @@ impl Screen {
             };
             let kind = if handled { Kind::Moving } else { kind };
             let quick = handled && show.legend.is_none() && !light.melted;
-            let size = if quick { handled::size(light.size) } else { light.size };
+            let asks = |quantity| show.legend.as_ref().is_some_and(|legend| legend.quantity == quantity);
+            let clamped = light.clamped.as_ref().filter(|_| asks(Quantity::Clamped));
+            let size = match (quick, clamped) {
+                (true, _) => handled::size(light.size),
+                (_, Some(clamped)) => clamped.size(),
+                _ => light.size,
+            };
             // What asked for rays and is not there yet holds back the number of what came after.
             let seq = if light.seq >= wanted.traced && !light.melted { wanted.seq } else { light.seq };
             wanted.number += 1;
@@ -222,6 +230,7 @@ impl Screen {
             let radiance = match (quick, light.melted) {
                 (_, true) => still.mix(&[]),
                 (true, _) => kept.mix(&still, &colors),
+                (false, _) if size != light.size => still.small(&colors, size),
                 (false, _) => still.mix(&colors),
             };
             if show.ev.is_none() {
@@ -232,12 +241,10 @@ impl Screen {
             }
             let painted = show.legend.as_ref().and_then(|legend| {
                 let against = legend.against().and(against).map(|colors| still.mix(&colors));
-                legend.paint(
-                    &radiance,
-                    against.as_deref(),
-                    light.albedos.as_ref().map(|own| own.as_slice()),
-                    light.size,
-                )
+                let clamped = clamped.map(|still| still.mix(&colors));
+                let albedos = light.albedos.as_ref().map(|own| own.as_slice());
+                let (against, clamped) = (against.as_deref(), clamped.as_deref());
+                legend.paint(&legend::Picture { radiance: &radiance, against, albedos, clamped, size })
             });
             let false_color = painted.is_some();
             let picture = match painted {

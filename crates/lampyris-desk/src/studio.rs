@@ -2,8 +2,10 @@
 //! something moves it draws small pictures, so that many of them fit into a second.
 
 mod asking;
+mod beside;
 mod work;
 
+use beside::BEFORE_CLAMPED;
 use work::Work;
 pub(crate) use work::{Asked, Found, Studio, Survey, What};
 
@@ -16,7 +18,7 @@ use crate::saver::Saver;
 use crate::saving;
 use crate::screen::{Light, Screen};
 use crate::surfaces;
-use crate::wire::{Kind, LEAST, Look};
+use crate::wire::{Kind, Look};
 use lampyris::Rgb;
 use lampyris::backend::Settings;
 use lampyris::cpu::Cpu;
@@ -24,7 +26,7 @@ use lampyris::document::{self, Document};
 use lampyris::frame::Frame as Sums;
 use lampyris::measuring::{Estimate, readable};
 use lampyris::scene::{Camera, Edit, Mesh, Scene, find_view, upward};
-use lampyris::session::{Session, Sketch};
+use lampyris::session::Session;
 use lampyris::world::World;
 use serde_json::Value;
 use std::f32::consts::PI;
@@ -37,16 +39,6 @@ pub(crate) const GROUPS: usize = 16;
 
 /// How long nothing must move before the picture is drawn in its full size.
 const REST: Duration = Duration::from_millis(160);
-
-/// What a sketch shall take while something moves [s], the shares of the full edges that it may have, and pixels that it has at
-/// least.
-const QUICK: f32 = 0.06;
-const EDGES: [f32; 6] = [0.75, 0.5, 0.375, 0.25, 0.1875, 0.125];
-const FEWEST: f32 = 160.0 * 120.0;
-
-/// A seed of which the first sample of all pixels lies at (0.507, 0.491) of them. A sketch that moves has one batch, and its
-/// pixels are large: what is drawn over it would lie up to half of one beside what it is drawn over.
-const CENTRED: u32 = 920;
 
 /// Batches of a sketch, if nothing moves on meanwhile.
 const SKETCHED: u32 = 4;
@@ -110,6 +102,8 @@ struct Stage {
     melted: Option<Vec<Rgb>>,
     /// Whether a sketch was shown last.
     sketched: bool,
+    /// Beside the picture is no sketch, but what clamping takes.
+    clamped: bool,
     /// Batches after which a picture is finished.
     enough: u32,
     /// The last message that asked for rays and was followed.
@@ -138,6 +132,7 @@ enum Turn {
     Sketch,
     Picture,
     Meters,
+    Clamped,
     Question,
 }
 
@@ -189,16 +184,6 @@ pub(crate) fn camera_text(look: &Look, number: u32) -> CameraText {
     CameraText { number, text: text.to_string().into() }
 }
 
-/// A batch that is soon done, of a picture that is soon another. Corners lack some of their light: to find it, by short rays
-/// one by one, takes as long as a third of all the rest. Less is clamped in turn.
-fn sketchy(survey: bool) -> Settings {
-    let own = picture_settings(survey);
-    let parts = own.parts.iter().filter(|part| *part != "compensation").cloned().collect();
-    let clamp = 0.5 * own.clamp;
-    let few = Settings { paths: 800, light_points: Some(25), picks: Some(4), photons: 1 << 11, ..own };
-    Settings { parts, clamp, edges: 0, seed: CENTRED, ..few }
-}
-
 /// How light at points is estimated.
 fn meter_settings() -> Settings {
     Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() }
@@ -246,6 +231,7 @@ impl Stage {
             sketch: [0; 2],
             melted: None,
             sketched: false,
+            clamped: false,
             enough: batches,
             seq: 0,
             moved: None,
@@ -290,11 +276,15 @@ impl Stage {
             };
             let go_on = || !studio.urgent.load(Ordering::Relaxed);
             let begun = Instant::now();
+            if turn == Turn::Clamped && !self.clamped {
+                self.begin_clamped()?;
+            }
             let done = match turn {
                 // A hand that moves on would let no sketch be finished.
                 Turn::Sketch => self.session.step_sketch(&|| true)?,
                 Turn::Picture => self.session.step_while(&go_on)?,
                 Turn::Meters => self.session.step_meters(&go_on)?,
+                Turn::Clamped => self.session.step_sketch(&go_on)?,
                 Turn::Question => match self.pursued.first_mut() {
                     Some(first) => self.session.pursue(&mut first.question, &go_on)?,
                     None => false,
@@ -312,7 +302,7 @@ impl Stage {
                     *pixel = if *pixel == 0.0 { took } else { 0.7 * *pixel + 0.3 * took };
                     self.show(Turn::Sketch, seconds, screen, inbox)?;
                 }
-                Turn::Picture => self.show(Turn::Picture, seconds, screen, inbox)?,
+                Turn::Picture | Turn::Clamped => self.show(turn, seconds, screen, inbox)?,
                 Turn::Meters => self.tell_readings(inbox),
                 Turn::Question => self.tell(inbox)?,
             }
@@ -343,13 +333,14 @@ impl Stage {
         }
         let picture = !self.session.is_current() || self.batches() < self.enough;
         let meters = self.session.meters().is_some_and(|frame| frame.batches() < METERED);
-        match (picture, meters) {
-            (true, true) if last == Turn::Picture => (Some(Turn::Meters), Some(now)),
-            (true, _) => (Some(Turn::Picture), Some(now)),
-            (false, true) => (Some(Turn::Meters), Some(now)),
-            (false, false) if !self.pursued.is_empty() => (Some(Turn::Question), Some(now)),
+        let clamped = self.lacks_clamped() && self.batches() >= BEFORE_CLAMPED;
+        let turns = [(Turn::Picture, picture), (Turn::Meters, meters), (Turn::Clamped, clamped)];
+        let after = turns.iter().position(|(turn, _)| *turn == last).map_or(0, |last| last + 1);
+        match turns.iter().cycle().skip(after).take(turns.len()).find(|(_, wanted)| *wanted) {
+            Some((turn, _)) => (Some(*turn), Some(now)),
+            None if !self.pursued.is_empty() => (Some(Turn::Question), Some(now)),
             // The picture is there, and is to be shown where a sketch was last.
-            (false, false) => (None, self.sketched.then_some(now)),
+            None => (None, self.sketched.then_some(now)),
         }
     }
 
@@ -396,7 +387,11 @@ impl Stage {
         self.seq = self.seq.max(work.survey.map_or(0, |(_, seq)| seq));
         if let Some((survey, _)) = work.survey.filter(|(survey, _)| *survey != self.survey) {
             let surfaces = survey.surfaces != self.survey.surfaces;
+            let clamped = survey.clamped != self.survey.clamped;
             self.survey = survey;
+            if clamped {
+                self.put_clamped_away()?;
+            }
             if surfaces {
                 self.session.set(&picture_settings(survey.surfaces))?;
                 if self.sketch != [0; 2] {
@@ -458,50 +453,21 @@ impl Stage {
         Ok(())
     }
 
-    /// Something moves: there is to be a sketch, as large as can be drawn quickly. While it moves it keeps its size. Where the
-    /// light of `all` groups is another one, they are sketched together.
-    fn begin_to_move(&mut self, all: bool) -> Result<()> {
-        let rested = self.moved.is_none_or(|at| at.elapsed() > REST);
-        self.moved = Some(Instant::now());
-        let pixels = (self.size[0] * self.size[1]) as f32;
-        let pixel = self.pixel[usize::from(all && !self.survey.layers)];
-        let has = |edge: f32| pixels * edge * edge;
-        let mut large = EDGES.iter().copied().filter(|edge| has(*edge) >= FEWEST);
-        let edge = match pixel {
-            // The first sketch of all tells how quick this machine is.
-            0.0 => EDGES[2],
-            _ => large
-                .clone()
-                .find(|edge| pixel * has(*edge) < QUICK)
-                .or(large.next_back())
-                .unwrap_or(EDGES[0]),
-        };
-        let sketch = self.size.map(|n| ((n as f32 * edge) as u32).max(LEAST));
-        let melted = (all && !self.survey.layers).then(|| self.colors.clone());
-        if (rested && sketch != self.sketch) || melted != self.melted {
-            (self.sketch, self.melted) = (sketch, melted);
-            self.begin_sketch()?;
-        }
-        Ok(())
-    }
-
-    fn begin_sketch(&mut self) -> Result<()> {
-        let (size, melted) = (self.sketch, self.melted.clone());
-        Ok(self.session.sketch(Some(Sketch { size, settings: sketchy(self.survey.surfaces), melted }))?)
-    }
-
     /// Hands what was drawn to the screen, and tells how far it is.
     fn show(&mut self, turn: Turn, seconds: f32, screen: &Screen, inbox: &Inbox) -> Result<()> {
         let sketched = turn == Turn::Sketch;
         let (enough, size) = (self.enough, if sketched { self.sketch } else { self.size });
-        let survey = self.survey.surfaces;
+        let (survey, lacks) = (self.survey.surfaces, self.lacks_clamped());
         let telling = if survey { readable(self.session.scene()?) } else { Vec::new() };
+        let clamped =
+            self.session.sketched().filter(|frame| self.clamped && !sketched && frame.batches() > 0);
+        let clamped = clamped.map(|frame| Arc::new(frame.still()));
         let frame = match self.session.sketched().filter(|_| sketched) {
             Some(frame) => frame,
             None => self.session.frame()?,
         };
         let batches = frame.batches();
-        let done = !sketched && batches >= enough;
+        let done = !sketched && batches >= enough && !lacks;
         // A picture that hardly changes is not sent for each batch.
         if batches > 8 && !done && self.shown.elapsed() < SELDOM {
             return Ok(());
@@ -529,6 +495,7 @@ impl Stage {
         screen.light(Light {
             size,
             still: Some(Arc::new(frame.still())),
+            clamped,
             albedos: frame
                 .auxiliary()
                 .filter(|_| survey)

@@ -120,6 +120,7 @@ pub(crate) struct Frame {
     pub(crate) seq: u32,
     pub(crate) size: [u32; 2],
     pub(crate) kind: u8,
+    pub(crate) false_color: bool,
     pub(crate) batches: u32,
     pub(crate) picture: Vec<u8>,
 }
@@ -193,6 +194,7 @@ impl Client {
                     seq: long(4),
                     size: [short(12), short(14)],
                     kind: bytes[16],
+                    false_color: bytes[18] != 0,
                     batches: long(20),
                     picture: bytes[32..].to_vec(),
                 });

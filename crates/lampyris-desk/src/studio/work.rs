@@ -44,13 +44,16 @@ pub(crate) struct Survey {
     pub(crate) surfaces: bool,
     /// What each layer has, in sketches too: they are mixed in other colours than they are shown in.
     pub(crate) layers: bool,
+    /// What clamping takes from virtual lights, and short rays pay back.
+    pub(crate) clamped: bool,
 }
 
 impl Survey {
     /// What a legend takes.
     pub(crate) fn of(legend: Option<&Legend>) -> Survey {
-        let surfaces = legend.is_some_and(|legend| legend.quantity != Quantity::Luminance);
-        Survey { surfaces, layers: legend.is_some_and(|legend| legend.against().is_some()) }
+        let is = |quantity| legend.is_some_and(|legend| legend.quantity == quantity);
+        let (differs, clamped) = (is(Quantity::Difference), is(Quantity::Clamped));
+        Survey { surfaces: differs || is(Quantity::Illuminance), layers: differs, clamped }
     }
 }
 

@@ -1,62 +1,62 @@
 // src/later/actions.ts
 import {
-  adding as Ei,
-  asked as Ii,
-  ask as Ai,
-  back as Ri,
-  candles as Jo,
-  chosenLamps as de,
-  clearSolo as qi,
-  command as Sn,
-  compareHeld as Fi,
-  copyText as Hi,
-  DEFAULT_FALSE as Ni,
-  deselect as Di,
-  each as Ln,
-  edit as Tn,
-  exposeBy as ea,
-  falseColor as Gi,
-  fine as ta,
-  forth as Oi,
-  frameSelection as Wi,
-  go as Ki,
-  goHome as Bi,
-  goInside as Ui,
-  goPreset as _i,
-  hands as Xi,
-  here as Yi,
-  highlight as zi,
-  history as na,
-  lampMarks as oa,
-  lamps as It,
-  listing as aa,
-  lookOnly as la,
-  looks as ji,
-  maintenance as Zi,
-  panels as ra,
-  PRESETS as Qi,
-  register as Ji,
-  say as ot,
-  scene as es,
-  selection as ma,
-  send as ts,
+  adding as Bi,
+  asked as Ui,
+  ask as _i,
+  back as Xi,
+  candles as to,
+  chosenLamps as he,
+  clearSolo as Yi,
+  command as $n,
+  compareHeld as zi,
+  copyText as ji,
+  DEFAULT_FALSE as Zi,
+  deselect as Qi,
+  each as Tn,
+  edit as Pn,
+  exposeBy as no,
+  falseColor as Ji,
+  fine as ao,
+  forth as es,
+  frameSelection as ts,
+  go as ns,
+  goHome as as,
+  goInside as os,
+  goPreset as ls,
+  hands as rs,
+  here as is,
+  highlight as ss,
+  history as oo,
+  lampMarks as lo,
+  lamps as At,
+  listing as ro,
+  lookOnly as io,
+  looks as us,
+  maintenance as cs,
+  panels as so,
+  PRESETS as ps,
+  register as ms,
+  say as at,
+  scene as ds,
+  selection as fo,
+  send as hs,
   sheet as tt,
-  show as Cn,
-  soloSelection as ns,
+  show as It,
+  soloSelection as fs,
   spot as nt,
-  startTool as Se,
-  stepSelection as ia,
-  storeLook as os,
-  storeView as as,
-  theme as sa,
-  things as ua,
-  titleOf as da,
-  toggleFalse as ls,
-  toggleWipe as rs,
-  travel as ca,
-  views as is,
-  walking as $n,
-  whyNot as _
+  startTool as Ce,
+  stepSelection as uo,
+  storeLook as gs,
+  storeView as bs,
+  theme as co,
+  things as po,
+  titleOf as go,
+  toggleFalse as vs,
+  toggleWipe as ys,
+  travel as mo,
+  views as ks,
+  walking as Ln,
+  whyNot as X
 } from "./desk.js";
 
 // src/later/differ.ts
@@ -69,568 +69,688 @@ var ft = (e) => ({
   palette: "diverging",
   lines: !1
 });
-function go(e) {
+function fa(e) {
   let t = Math.min(1e6, Math.max(0.01, e.high));
   return { ...e, low: -t, high: t, scale: "linear" };
 }
 
+// src/later/legend.tsx
+import { asked as jl, candles as Zl, DEFAULT_FALSE as Ql, display as Jl, Field as er, looks as tr, show as ba, three as nr, useRef as ar } from "./desk.js";
+import { Fragment as ir, jsx as K, jsxs as me } from "./desk.js";
+var va = { quantity: "clamped", low: 0, high: 50, scale: "linear", palette: "even", lines: !1 }, gn = [1, 2, 5];
+function or(e, t, n) {
+  let a = [];
+  if (n === "linear") {
+    let o = (t - e) / 5, l = 10 ** Math.floor(Math.log10(o)), r = l * (gn.find((s) => s * l >= o) ?? 10);
+    for (let s = Math.ceil(e / r) * r; s <= t * 1.0001; s += r) a.push(s);
+    return a;
+  }
+  for (let o = Math.floor(Math.log10(e)); o <= Math.ceil(Math.log10(t)); o++)
+    for (let l of gn) {
+      let r = l * 10 ** o;
+      r >= e * 0.999 && r <= t * 1.001 && a.push(r);
+    }
+  return a.length > 10 ? a.filter((o) => Math.abs(Math.log10(o) % 1) < 1e-6) : a;
+}
+function lr(e, t) {
+  return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
+}
+var te = (e, t) => {
+  let n = jl({ ...e, ...t });
+  n.against != null && (n = fa(n)), n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && ba({ false_color: n });
+};
+function ga(e, t) {
+  let n = Math.round(Math.log10(e) * 3) + t, a = (n % 3 + 3) % 3;
+  return gn[a] * 10 ** ((n - a) / 3);
+}
+function rr() {
+  let e = Jl.value.false_color, t = ar(null);
+  if (!e) return null;
+  let n = Zl.value === "fc", a = e.quantity === "difference", o = e.quantity === "clamped", l = e.quantity !== "luminance", r = o ? "%" : l ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", s = n && !o ? l ? 1 / 10.7639 : 0.2919 : 1, c = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, i = e.ticks ?? or(e.low, e.high, e.scale).map((m) => [m, lr(m, e)]), p = (m) => {
+    let f = String(Number(m.toPrecision(2)));
+    return a ? f.replace("-", "−").replace(/^(?=[1-9]|0\.)/, "+") : f;
+  }, u = (m, f, S) => a ? { high: ga(Math.abs(f), m === "low" ? -S : S) } : { [m]: ga(f, S) }, b = (m) => ({
+    onPointerDown: (f) => {
+      f.currentTarget.setPointerCapture(f.pointerId), t.current = { y: f.clientY, end: m, from: e[m] };
+    },
+    onPointerMove: (f) => {
+      let S = t.current;
+      S?.end === m && te(e, u(m, S.from, Math.round((S.y - f.clientY) / 14)));
+    },
+    onPointerUp: () => t.current = null,
+    onPointerCancel: () => t.current = null,
+    onKeyDown: (f) => {
+      let S = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[f.key];
+      S && (f.preventDefault(), f.stopPropagation(), te(e, u(m, e[m], S)));
+    }
+  }), d = ({ end: m }) => me("div", { class: "end", children: [
+    o && m === "low" ? null : K(
+      "span",
+      {
+        class: "grip",
+        role: "slider",
+        tabIndex: 0,
+        "aria-label": m === "low" ? "Lower end of the legend" : "Upper end of the legend",
+        "aria-valuenow": e[m],
+        "aria-valuemin": a ? -1e6 : 1e-3,
+        "aria-valuemax": 1e6,
+        "aria-valuetext": `${nr(e[m] * s)} ${r}`,
+        ...b(m)
+      }
+    ),
+    (a || o) && m === "low" ? K("output", { children: p(e.low * s) }) : K(
+      er,
+      {
+        label: m === "low" ? "Lower end" : "Upper end",
+        quantity: "number",
+        value: Number((e[m] * s).toPrecision(3)),
+        set: (f) => te(e, { [m]: f(e[m] * s) / s })
+      }
+    )
+  ] });
+  return me("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
+    me("header", { children: [
+      K(
+        "button",
+        {
+          "aria-label": `${r}: ${a ? "difference" : e.quantity}, change`,
+          onClick: () => a || o ? ba({ false_color: Ql }) : te(e, { quantity: l ? "luminance" : "illuminance" }),
+          children: a ? `Δ ${r}` : r
+        }
+      ),
+      !a && !o && K("button", { "aria-pressed": e.scale === "log", onClick: () => te(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
+      K("button", { "aria-pressed": e.lines, onClick: () => te(e, { lines: !e.lines }), children: "lines" })
+    ] }),
+    o && K("p", { class: "quiet", title: "What clamping takes from virtual lights close by, of all that comes to the eye. The picture has it: short rays pay it back. While something moves, pictures lack it.", children: "clamped" }),
+    a && me("p", { class: "quiet", title: e.exact === !1 ? "Lamps that differ in the look share a layer of light: what is shown of them is their mean." : void 0, children: [
+      e.exact === !1 ? "≈ " : "",
+      "now − ",
+      tr.get(e.against)?.name ?? "look"
+    ] }),
+    K(d, { end: "high" }),
+    K("div", { class: "scale", style: { background: c }, children: i.map(([m, f]) => K("span", { style: { bottom: `${100 * f}%` }, children: p(m * s) }, m)) }),
+    K(d, { end: "low" }),
+    me("footer", { children: [
+      a ? [50, 500].map((m) => me("button", { onClick: () => te(e, { high: m }), children: [
+        "±",
+        m
+      ] }, m)) : o ? [10, 50].map((m) => me("button", { onClick: () => te(e, { low: 0, high: m }), children: [
+        "0–",
+        m
+      ] }, m)) : me(ir, { children: [
+        K("button", { onClick: () => te(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
+        K("button", { onClick: () => te(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" })
+      ] }),
+      K(
+        "select",
+        {
+          "aria-label": "Palette",
+          value: e.palette,
+          onChange: (m) => te(e, { palette: m.currentTarget.value }),
+          children: e.palettes?.map((m) => K("option", { children: m }, m)) ?? K("option", { children: e.palette })
+        }
+      )
+    ] })
+  ] });
+}
+
 // src/later/grouping.ts
-import { chosenLamps as et, groups as St, lamps as kr, selection as Ct, step as Po, titleOf as Vo } from "./desk.js";
+import { chosenLamps as et, groups as St, lamps as Ar, selection as Ct, step as Ea, titleOf as Ia } from "./desk.js";
 
 // src/later/tools.ts
 import {
   add as yt,
-  adding as rr,
-  chosenLamps as wo,
-  distance as ir,
-  dot as sr,
+  adding as yr,
+  chosenLamps as Ma,
+  distance as kr,
+  dot as wr,
   edit as kt,
-  effect as ur,
-  free as Co,
-  grids as xo,
+  effect as xr,
+  free as La,
+  grids as Sa,
   lamps as Ee,
-  meters as Mo,
-  normal as $o,
-  onTool as cr,
-  positionOf as pr,
+  meters as Ca,
+  normal as Ta,
+  onTool as Mr,
+  positionOf as Sr,
   say as wt,
   scale as vt,
-  select as mr,
-  step as vn,
-  sub as yn,
+  select as Cr,
+  step as kn,
+  sub as wn,
   titleOf as xt,
-  tool as ke,
-  untracked as dr,
-  up as Lo,
-  workPlane as hr
+  tool as we,
+  untracked as $r,
+  up as Pa,
+  workPlane as Lr
 } from "./desk.js";
 
 // src/later/area.ts
-import { ask as zl, camera as jl, cross as Zl, dot as ye, effect as bo, add as fn, normal as Ql, scale as Ve, scene as vo, selection as Jl, signal as er, sub as tr, tool as nr } from "./desk.js";
-var or = 0.5, ar = 0.3;
-function lr(e) {
+import { ask as sr, camera as ur, cross as cr, dot as ke, effect as ya, add as bn, normal as pr, scale as Ve, scene as ka, selection as mr, signal as dr, sub as hr, tool as fr } from "./desk.js";
+var gr = 0.5, br = 0.3;
+function vr(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
 }
 var gt = (e, t = 0) => e > 2 * t ? e - 2 * t : e;
-function bn(e) {
-  let [t, n] = [Math.min(...e), Math.max(...e)], o = n >= 2 * t ? t : n, a = o / Math.max(1, Math.round(o / lr(o)));
-  return e.map((l) => Math.max(1, Math.round(l / a)));
+function yn(e) {
+  let [t, n] = [Math.min(...e), Math.max(...e)], a = n >= 2 * t ? t : n, o = a / Math.max(1, Math.round(a / vr(a)));
+  return e.map((l) => Math.max(1, Math.round(l / o)));
 }
-function yo(e, t, n, o, a) {
-  let l = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = Ql(Zl(n, l)), s = tr(t.point, e.point), [p, i] = [ye(s, l), ye(s, r)];
-  if (Math.abs(p) < 0.05 || Math.abs(i) < 0.05) return null;
-  let m = (ee) => ye(ee, n) - o, c = [e, t].every((ee) => ye(ee.normal, n) > 0.7 && m(ee.point) > ar), g = c ? 0 : or, u = c ? 0 : a - m(e.point), h = fn(fn(e.point, Ve(n, u)), fn(Ve(l, Math.min(p, 0)), Ve(r, Math.min(i, 0)))), v = [Math.abs(p), Math.abs(i)], [E, H] = bn(v.map((ee) => gt(ee, g)));
-  return { corner: h, u: Ve(l, v[0]), v: Ve(r, v[1]), normal: n, columns: E, rows: H, border: g };
+function wa(e, t, n, a, o) {
+  let l = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = pr(cr(n, l)), s = hr(t.point, e.point), [c, i] = [ke(s, l), ke(s, r)];
+  if (Math.abs(c) < 0.05 || Math.abs(i) < 0.05) return null;
+  let p = (ee) => ke(ee, n) - a, u = [e, t].every((ee) => ke(ee.normal, n) > 0.7 && p(ee.point) > br), b = u ? 0 : gr, d = u ? 0 : o - p(e.point), m = bn(bn(e.point, Ve(n, d)), bn(Ve(l, Math.min(c, 0)), Ve(r, Math.min(i, 0)))), f = [Math.abs(c), Math.abs(i)], [S, H] = yn(f.map((ee) => gt(ee, b)));
+  return { corner: m, u: Ve(l, f[0]), v: Ve(r, f[1]), normal: n, columns: S, rows: H, border: b };
 }
-var ko = er(null);
+var xa = dr(null);
 function bt() {
-  let e = vo.value;
-  return ko.value ?? (e ? Math.min(ye(e.bounds[0], e.up), ye(e.bounds[1], e.up)) : 0);
+  let e = ka.value;
+  return xa.value ?? (e ? Math.min(ke(e.bounds[0], e.up), ke(e.bounds[1], e.up)) : 0);
 }
-var gn = null;
-bo(() => {
-  let e = jl.value;
-  e && !e.height && (gn = e.eye);
+var vn = null;
+ya(() => {
+  let e = ur.value;
+  e && !e.height && (vn = e.eye);
 });
-bo(() => {
-  let e = vo.value?.up;
-  !e || !gn || nr.value !== "grid" && Jl.value?.kind !== "grid" || zl("ray", { origin: gn, direction: Ve(e, -1) }, (t) => {
-    t.hit && (ko.value = ye(t.point, e));
+ya(() => {
+  let e = ka.value?.up;
+  !e || !vn || fr.value !== "grid" && mr.value?.kind !== "grid" || sr("ray", { origin: vn, direction: Ve(e, -1) }, (t) => {
+    t.hit && (xa.value = ke(t.point, e));
   });
 });
 
 // src/later/tools.ts
-var Ye = null, fr = { lux: 500, uniformity: 0.6 };
-ur(() => {
-  ke.value !== "grid" && (Ye = null);
+var Ye = null, Tr = { lux: 500, uniformity: 0.6 };
+xr(() => {
+  we.value !== "grid" && (Ye = null);
 });
-function gr(e) {
+function Pr(e) {
   if (!e) return wt("There is nothing at that point.", "warn");
-  switch (ke.peek()) {
+  switch (we.peek()) {
     case "aim":
-      ze(wo.peek(), e.point), ke.value = null;
+      ze(Ma.peek(), e.point), we.value = null;
       break;
     case "place":
-      br(wo.peek(), e), ke.value = null;
+      Vr(Ma.peek(), e), we.value = null;
       break;
     case "meter":
-      Ze(e.point, e.normal), ke.value = null;
+      Ze(e.point, e.normal), we.value = null;
       break;
     case "grid":
       if (!Ye) {
         Ye = e;
         return;
       }
-      vr(Ye, e), Ye = null, ke.value = null;
+      Er(Ye, e), Ye = null, we.value = null;
       break;
     case "add":
-      yr(rr.peek(), e), ke.value = null;
+      Ir(yr.peek(), e), we.value = null;
       break;
   }
 }
-cr(gr);
+Mr(Pr);
 function ze(e, t) {
   let n = {};
-  for (let o of e) {
-    let a = Ee.get(o)?.place;
-    !a?.position || !a.direction || (n[o] = { place: { aim: t, direction: $o(yn(t, a.position)) } });
+  for (let a of e) {
+    let o = Ee.get(a)?.place;
+    !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Ta(wn(t, o.position)) } });
   }
   if (!Object.keys(n).length) return wt("What is selected shines into all directions: it cannot be aimed.", "warn");
   kt(`Aim ${xt(e)}`, { lamps: n });
 }
 function je(e, t) {
-  let n = new Set(e.ids.peek()), o = e.ids.subscribe((a) => {
-    let l = a.filter((r) => !n.has(r));
-    l.length && (mr(t, l[l.length - 1]), queueMicrotask(() => o()));
+  let n = new Set(e.ids.peek()), a = e.ids.subscribe((o) => {
+    let l = o.filter((r) => !n.has(r));
+    l.length && (Cr(t, l[l.length - 1]), queueMicrotask(() => a()));
   });
-  setTimeout(() => o(), 3e3);
+  setTimeout(() => a(), 3e3);
 }
-function br(e, t) {
-  let n = Je(e), o = n.get(e[e.length - 1]);
-  if (!o) return wt("What is selected has no place.", "warn");
-  let a = (Ee.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
-  kt(`Put ${xt(e)} on a surface`, Qe(e, yn(yt(t.point, vt(t.normal, a)), o), n));
+function Vr(e, t) {
+  let n = Je(e), a = n.get(e[e.length - 1]);
+  if (!a) return wt("What is selected has no place.", "warn");
+  let o = (Ee.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
+  kt(`Put ${xt(e)} on a surface`, Qe(e, wn(yt(t.point, vt(t.normal, o)), a), n));
 }
 function Ze(e, t) {
-  let n = Co(Mo);
-  je(Mo, "meter"), kt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
+  let n = La(Ca);
+  je(Ca, "meter"), kt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function vr(e, t) {
-  let n = yo(e, t, Lo.peek(), dr(bt), hr.peek());
+function Er(e, t) {
+  let n = wa(e, t, Pa.peek(), $r(bt), Lr.peek());
   if (!n) return wt("An area needs two corners that lie apart.", "warn");
-  let o = Co(xo);
-  je(xo, "grid"), kt("Lay a grid", { grids: { [o]: { name: `Area ${o + 1}`, ...n, target: fr } } });
+  let a = La(Sa);
+  je(Sa, "grid"), kt("Lay a grid", { grids: { [a]: { name: `Area ${a + 1}`, ...n, target: Tr } } });
 }
-var So = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function yr(e, t) {
-  let n = Lo.peek(), o = sr(t.normal, n), a = o > 0.7 ? yt(t.point, vt(n, 1.2)) : yt(t.point, vt(t.normal, 0.15)), l = o > 0.7 || o < -0.7 ? vt(n, -1) : t.normal, r = { position: a };
-  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...o > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
-  let s = Ee.all().filter(([, p]) => p.own).length;
-  je(Ee, "lamp"), vn(`Add ${So[e]?.toLowerCase() ?? e} lamp`, {
+var $a = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
+function Ir(e, t) {
+  let n = Pa.peek(), a = wr(t.normal, n), o = a > 0.7 ? yt(t.point, vt(n, 1.2)) : yt(t.point, vt(t.normal, 0.15)), l = a > 0.7 || a < -0.7 ? vt(n, -1) : t.normal, r = { position: o };
+  e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
+  let s = Ee.all().filter(([, c]) => c.own).length;
+  je(Ee, "lamp"), kn(`Add ${$a[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
-    lamp: { name: `${So[e] ?? e} ${s + 1}`, kind: e, flux: 800, place: r }
+    lamp: { name: `${$a[e] ?? e} ${s + 1}`, kind: e, flux: 800, place: r }
   });
 }
 function Mt(e, t, n) {
-  !e.length || t < 1 || vn(`Copy ${xt(e)}`, { do: "copy", lamps: e, count: t, step: n });
+  !e.length || t < 1 || kn(`Copy ${xt(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function To(e) {
-  e.length && vn(`Remove ${xt(e)}`, { do: "remove", lamps: e });
+function Va(e) {
+  e.length && kn(`Remove ${xt(e)}`, { do: "remove", lamps: e });
 }
 function Qe(e, t, n) {
-  let o = {};
-  for (let a of e) {
-    let l = Ee.get(a)?.place, r = n.get(a);
+  let a = {};
+  for (let o of e) {
+    let l = Ee.get(o)?.place, r = n.get(o);
     if (!r) continue;
-    let s = yt(r, t), p = l?.aim && ir(l.aim, s) > 1e-6 ? { direction: $o(yn(l.aim, s)) } : {};
-    o[a] = { place: { position: s, ...p } };
+    let s = yt(r, t), c = l?.aim && kr(l.aim, s) > 1e-6 ? { direction: Ta(wn(l.aim, s)) } : {};
+    a[o] = { place: { position: s, ...c } };
   }
-  return { lamps: o };
+  return { lamps: a };
 }
 function Je(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let o = Ee.get(n), a = o && pr(o);
-    a && t.set(n, a);
+    let a = Ee.get(n), o = a && Sr(a);
+    o && t.set(n, o);
   }
   return t;
 }
 
 // src/later/grouping.ts
-var Eo = (e) => {
-  let t = kr.get(e)?.group ?? null;
+var Aa = (e) => {
+  let t = Ar.get(e)?.group ?? null;
   return t !== null && (St.get(t)?.lamps.length ?? 0) > 1 ? t : null;
 };
 function $t() {
   return et.value.length < 2 ? "Select two lamps or more first." : Ct.value?.kind === "group" && Ct.value.ids.length === 1 ? "This is a group already." : null;
 }
-function Io() {
+function qa() {
   let e = new Set(St.all().map(([, n]) => n.name)), t = 1;
   for (; e.has(`Group ${t}`); ) t++;
-  je(St, "group"), Po(`Group ${Vo(et.peek())}`, { do: "group", lamps: et.peek(), name: `Group ${t}` });
+  je(St, "group"), Ea(`Group ${Ia(et.peek())}`, { do: "group", lamps: et.peek(), name: `Group ${t}` });
 }
 function Lt() {
-  return et.value.some((e) => Eo(e) !== null) ? null : "What is selected is in no group.";
+  return et.value.some((e) => Aa(e) !== null) ? null : "What is selected is in no group.";
 }
-function Ao() {
-  let e = Ct.peek(), t = et.peek().filter((o) => Eo(o) !== null), n = e?.kind === "group" && e.ids.length === 1 ? St.get(e.ids[0]) : void 0;
-  Po(n ? `Dissolve ${n.name}` : `Take ${Vo(t)} out`, { do: "group", lamps: t }), Ct.value = { kind: "lamp", ids: t };
+function Ra() {
+  let e = Ct.peek(), t = et.peek().filter((a) => Aa(a) !== null), n = e?.kind === "group" && e.ids.length === 1 ? St.get(e.ids[0]) : void 0;
+  Ea(n ? `Dissolve ${n.name}` : `Take ${Ia(t)} out`, { do: "group", lamps: t }), Ct.value = { kind: "lamp", ids: t };
 }
 
 // src/later/most.ts
-import { signal as wr } from "./desk.js";
-var Ie = wr(1);
+import { signal as qr } from "./desk.js";
+var Ie = qr(1);
 
 // src/later/there.ts
-import { add as xr, dot as Ro, go as Mr, here as Sr, moved as Cr, scale as $r, spot as Lr, sub as Tr, up as Pr, walking as Vr, EYE_HEIGHT as Er } from "./desk.js";
-var Ir = 1.2;
-function Ar(e, t, n) {
-  let o = Tr(n.point, e.eye);
-  return e.height || Ro(n.normal, t) < 0.9 || Ro(o, t) > -Ir ? null : Cr(e, xr(o, $r(t, Er)));
+import { add as Rr, dot as Fa, go as Fr, here as Hr, moved as Nr, scale as Dr, spot as Gr, sub as Or, up as Wr, walking as Kr, EYE_HEIGHT as Br } from "./desk.js";
+var Ur = 1.2;
+function _r(e, t, n) {
+  let a = Or(n.point, e.eye);
+  return e.height || Fa(n.normal, t) < 0.9 || Fa(a, t) > -Ur ? null : Nr(e, Rr(a, Dr(t, Br)));
 }
-function qo() {
-  let [e, t] = [Sr(), Lr.value];
-  return e && t && Vr.value === "walk" ? Ar(e, Pr.value, t) : null;
+function Ha() {
+  let [e, t] = [Hr(), Gr.value];
+  return e && t && Kr.value === "walk" ? _r(e, Wr.value, t) : null;
 }
-var Fo = () => qo() ? null : "Point at the floor first, walking.";
-function Ho() {
-  let e = qo();
-  e && Mr(e, "there");
+var Na = () => Ha() ? null : "Point at the floor first, walking.";
+function Da() {
+  let e = Ha();
+  e && Fr(e, "there");
 }
 
 // src/later/typed.tsx
-import { effect as di, handles as hi, keysFirst as fi, role as gi, say as bi, scale as vi, selection as yi, signal as ki, tool as wi, untracked as xi } from "./desk.js";
+import { effect as $i, handles as Li, keysFirst as Ti, role as Pi, say as Vi, scale as Ei, selection as Ii, signal as Ai, tool as qi, untracked as Ri } from "./desk.js";
 
 // src/later/handles.tsx
 import {
-  add as Ko,
-  chosenLamps as Wr,
-  computed as xn,
-  editor as Kr,
-  effect as Br,
-  fitted as Ur,
-  Gesture as _r,
-  handles as Xr,
+  add as Ua,
+  chosenLamps as ti,
+  computed as Sn,
+  editor as ni,
+  effect as ai,
+  fitted as oi,
+  Gesture as li,
+  handles as ri,
   lamps as Pt,
-  lookOnly as Yr,
-  middle as zr,
-  nameOf as jr,
-  normal as Zr,
-  pinhole as Qr,
-  positionOf as Uo,
-  role as Jr,
-  selection as ei,
-  shown as ti,
-  sub as ni,
+  lookOnly as ii,
+  middle as si,
+  nameOf as ui,
+  normal as ci,
+  pinhole as pi,
+  positionOf as Xa,
+  role as mi,
+  selection as di,
+  shown as hi,
+  sub as fi,
   things as Vt,
-  titleOf as oi,
-  tool as ai,
-  turn as Bo,
-  useEffect as li,
-  useRef as ri,
-  viewSize as ii
+  titleOf as gi,
+  tool as bi,
+  turn as _a,
+  useEffect as vi,
+  useRef as yi,
+  viewSize as ki
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as No, ray as Rr } from "./desk.js";
-import { across as qr, add as re, cross as Fr, distance as Hr, dot as me, length as Nr, normal as kn, scale as ie, sub as Ae } from "./desk.js";
-var Dr = "http://www.w3.org/2000/svg", wn = 84, we = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Tt = ["x", "y", "z"], Do = 0.1, Gr = 5 * Math.PI / 180, Go = 48;
-function Wo(e, t) {
-  let n = (d, b, k) => {
-    let w = document.createElementNS(Dr, d);
-    return w.setAttribute("class", k), b.append(w), w;
-  }, o = (d, b, k) => {
-    let w = n("g", e, `handle ${d} ${Tt[b] ?? ""}`);
+import { project as Ga, ray as Xr } from "./desk.js";
+import { across as Yr, add as re, cross as zr, distance as jr, dot as de, length as Zr, normal as xn, scale as ie, sub as Ae } from "./desk.js";
+var Qr = "http://www.w3.org/2000/svg", Mn = 84, xe = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Tt = ["x", "y", "z"], Oa = 0.1, Jr = 5 * Math.PI / 180, Wa = 48;
+function Ba(e, t) {
+  let n = (h, v, k) => {
+    let w = document.createElementNS(Qr, h);
+    return w.setAttribute("class", k), v.append(w), w;
+  }, a = (h, v, k) => {
+    let w = n("g", e, `handle ${h} ${Tt[v] ?? ""}`);
     return w.setAttribute("data-handle", k), { group: w, hit: n("path", w, "hit"), seen: n("path", w, "seen") };
-  }, a = n("path", e, "aim-line"), l = we.map((d, b) => o("ring", b, `ring-${Tt[b]}`)), r = we.map((d, b) => o("plane", b, `plane-${Tt[b]}`)), s = we.map((d, b) => o("arrow", b, `move-${Tt[b]}`)), p = o("centre", -1, "move-view"), i = o("aim", -1, "aim"), m = n("text", e, "handle-text"), c = (d, b) => {
-    let [k, w, I] = No(d.hole, b);
-    return I < 0.02 && !d.hole.parallel ? null : [d.fit.x + k * d.fit.scale, d.fit.y + w * d.fit.scale];
-  }, g = (d, b) => {
-    let k = No(d.hole, b)[2];
-    return wn / d.fit.scale * d.hole.pixel * (d.hole.parallel ? 1 : Math.max(k, 0.02));
-  }, u = (d, b, k = !1) => {
-    let w = b.filter(($) => $ !== null), I = w.length < b.length || w.length < 2 ? "" : `M${w.map(($) => `${$[0].toFixed(1)} ${$[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
-    d.setAttribute("d", I);
-  }, h = (d, b, k) => {
-    d.setAttribute("d", b ? `M${b[0] - k} ${b[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
-  }, v = (d, b) => d.forEach((k) => k.group.classList.toggle("gone", !b));
-  function E(d, b) {
-    let k = d.position, w = c(b, k), I = g(b, k), $ = d.mode === "move";
-    v([...s, ...r, p], $ && w !== null), v(l, !$ && w !== null && d.turns);
-    let z = d.aim ?? (d.direction ? re(k, ie(d.direction, 3 * I)) : null);
-    if (v([i], z !== null && w !== null), !w) {
-      a.setAttribute("d", "");
+  }, o = n("path", e, "aim-line"), l = xe.map((h, v) => a("ring", v, `ring-${Tt[v]}`)), r = xe.map((h, v) => a("plane", v, `plane-${Tt[v]}`)), s = xe.map((h, v) => a("arrow", v, `move-${Tt[v]}`)), c = a("centre", -1, "move-view"), i = a("aim", -1, "aim"), p = n("text", e, "handle-text"), u = (h, v) => {
+    let [k, w, I] = Ga(h.hole, v);
+    return I < 0.02 && !h.hole.parallel ? null : [h.fit.x + k * h.fit.scale, h.fit.y + w * h.fit.scale];
+  }, b = (h, v) => {
+    let k = Ga(h.hole, v)[2];
+    return Mn / h.fit.scale * h.hole.pixel * (h.hole.parallel ? 1 : Math.max(k, 0.02));
+  }, d = (h, v, k = !1) => {
+    let w = v.filter((L) => L !== null), I = w.length < v.length || w.length < 2 ? "" : `M${w.map((L) => `${L[0].toFixed(1)} ${L[1].toFixed(1)}`).join("L")}${k ? "Z" : ""}`;
+    h.setAttribute("d", I);
+  }, m = (h, v, k) => {
+    h.setAttribute("d", v ? `M${v[0] - k} ${v[1]}a${k} ${k} 0 1 0 ${2 * k} 0a${k} ${k} 0 1 0 ${-2 * k} 0` : "");
+  }, f = (h, v) => h.forEach((k) => k.group.classList.toggle("gone", !v));
+  function S(h, v) {
+    let k = h.position, w = u(v, k), I = b(v, k), L = h.mode === "move";
+    f([...s, ...r, c], L && w !== null), f(l, !L && w !== null && h.turns);
+    let z = h.aim ?? (h.direction ? re(k, ie(h.direction, 3 * I)) : null);
+    if (f([i], z !== null && w !== null), !w) {
+      o.setAttribute("d", "");
       return;
     }
-    we.forEach((O, U) => {
-      let q = c(b, re(k, ie(O, I))), mt = q ? Math.hypot(q[0] - w[0], q[1] - w[1]) < 12 : !0;
-      if (s[U].group.classList.toggle("gone", !$ || mt), q && $) {
-        let [ve, _e] = [(q[0] - w[0]) / wn, (q[1] - w[1]) / wn], ht = Math.hypot(ve, _e) || 1, [pe, Xe] = [ve / ht, _e / ht], hn = [w[0] + 14 * pe, w[1] + 14 * Xe];
-        u(s[U].hit, [hn, q]), s[U].seen.setAttribute("d", `M${hn[0].toFixed(1)} ${hn[1].toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}M${(q[0] - 9 * pe - 4.5 * Xe).toFixed(1)} ${(q[1] - 9 * Xe + 4.5 * pe).toFixed(1)}L${q[0].toFixed(1)} ${q[1].toFixed(1)}L${(q[0] - 9 * pe + 4.5 * Xe).toFixed(1)} ${(q[1] - 9 * Xe - 4.5 * pe).toFixed(1)}`);
+    xe.forEach((O, _) => {
+      let R = u(v, re(k, ie(O, I))), mt = R ? Math.hypot(R[0] - w[0], R[1] - w[1]) < 12 : !0;
+      if (s[_].group.classList.toggle("gone", !L || mt), R && L) {
+        let [ye, _e] = [(R[0] - w[0]) / Mn, (R[1] - w[1]) / Mn], ht = Math.hypot(ye, _e) || 1, [pe, Xe] = [ye / ht, _e / ht], fn = [w[0] + 14 * pe, w[1] + 14 * Xe];
+        d(s[_].hit, [fn, R]), s[_].seen.setAttribute("d", `M${fn[0].toFixed(1)} ${fn[1].toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}M${(R[0] - 9 * pe - 4.5 * Xe).toFixed(1)} ${(R[1] - 9 * Xe + 4.5 * pe).toFixed(1)}L${R[0].toFixed(1)} ${R[1].toFixed(1)}L${(R[0] - 9 * pe + 4.5 * Xe).toFixed(1)} ${(R[1] - 9 * Xe - 4.5 * pe).toFixed(1)}`);
       }
-      let [Be, Ue] = [we[(U + 1) % 3], we[(U + 2) % 3]], Z = Math.abs(me(O, b.hole.parallel ? b.hole.forward : kn(Ae(k, b.hole.eye)))) < 0.15;
-      r[U].group.classList.toggle("gone", !$ || Z);
-      let dt = (ve, _e) => c(b, re(k, re(ie(Be, ve * I), ie(Ue, _e * I)))), fo = [dt(0.3, 0.3), dt(0.5, 0.3), dt(0.5, 0.5), dt(0.3, 0.5)];
-      if (u(r[U].hit, fo, !0), u(r[U].seen, fo, !0), !$) {
-        let ve = Array.from({ length: Go + 1 }, (_e, ht) => {
-          let pe = 2 * Math.PI * ht / Go;
-          return c(b, re(k, re(ie(Be, Math.cos(pe) * I), ie(Ue, Math.sin(pe) * I))));
+      let [Be, Ue] = [xe[(_ + 1) % 3], xe[(_ + 2) % 3]], Z = Math.abs(de(O, v.hole.parallel ? v.hole.forward : xn(Ae(k, v.hole.eye)))) < 0.15;
+      r[_].group.classList.toggle("gone", !L || Z);
+      let dt = (ye, _e) => u(v, re(k, re(ie(Be, ye * I), ie(Ue, _e * I)))), ha = [dt(0.3, 0.3), dt(0.5, 0.3), dt(0.5, 0.5), dt(0.3, 0.5)];
+      if (d(r[_].hit, ha, !0), d(r[_].seen, ha, !0), !L) {
+        let ye = Array.from({ length: Wa + 1 }, (_e, ht) => {
+          let pe = 2 * Math.PI * ht / Wa;
+          return u(v, re(k, re(ie(Be, Math.cos(pe) * I), ie(Ue, Math.sin(pe) * I))));
         });
-        u(l[U].hit, ve), u(l[U].seen, ve);
+        d(l[_].hit, ye), d(l[_].seen, ye);
       }
-    }), h(p.hit, w, 13), h(p.seen, w, 7);
-    let R = z && c(b, z);
-    u(a, [w, R]), h(i.hit, R, 16), i.seen.setAttribute("d", R ? `M${R[0] - 8} ${R[1]}h16M${R[0]} ${R[1] - 8}v16M${R[0] - 5} ${R[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
+    }), m(c.hit, w, 13), m(c.seen, w, 7);
+    let q = z && u(v, z);
+    d(o, [w, q]), m(i.hit, q, 16), i.seen.setAttribute("d", q ? `M${q[0] - 8} ${q[1]}h16M${q[0]} ${q[1] - 8}v16M${q[0] - 5} ${q[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0` : "");
   }
   let H = t.effect(() => {
-    let d = t.target.value, b = t.view.value;
-    e.classList.toggle("empty", !d || !b), d && b && E(d, b);
-  }), ee = (d, b, k) => Rr(d.hole, (b.clientX - k.left - d.fit.x) / d.fit.scale, (b.clientY - k.top - d.fit.y) / d.fit.scale);
-  function be(d, b, k) {
-    d.addEventListener("pointerdown", (w) => {
+    let h = t.target.value, v = t.view.value;
+    e.classList.toggle("empty", !h || !v), h && v && S(h, v);
+  }), ee = (h, v, k) => Xr(h.hole, (v.clientX - k.left - h.fit.x) / h.fit.scale, (v.clientY - k.top - h.fit.y) / h.fit.scale);
+  function ve(h, v, k) {
+    h.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
       w.preventDefault(), w.stopPropagation();
       let I = t.view.peek();
       if (!I || !t.target.peek()) return;
-      let $ = e.getBoundingClientRect(), z = k(I), R = t.hold(b), O = ee(I, w, $);
-      z(O, !1, { ...R, move: () => {
+      let L = e.getBoundingClientRect(), z = k(I), q = t.hold(v), O = ee(I, w, L);
+      z(O, !1, { ...q, move: () => {
       }, turn: () => {
       }, rotate: () => {
-      } }), d.setPointerCapture(w.pointerId), d.classList.add("held");
-      let U = (Z) => {
-        m.textContent = z(ee(I, Z, $), Z.ctrlKey || Z.metaKey, R), m.setAttribute("x", String(Z.clientX - $.left + 16)), m.setAttribute("y", String(Z.clientY - $.top - 12));
-      }, q = (Z) => {
-        d.removeEventListener("pointermove", U), d.removeEventListener("pointerup", mt), d.removeEventListener("pointercancel", Be), removeEventListener("keydown", Ue, !0), d.classList.remove("held"), m.textContent = "", Z ? R.end() : R.cancel();
-      }, mt = () => q(!0), Be = () => q(!1), Ue = (Z) => {
-        Z.key === "Escape" && (Z.stopPropagation(), q(!1));
+      } }), h.setPointerCapture(w.pointerId), h.classList.add("held");
+      let _ = (Z) => {
+        p.textContent = z(ee(I, Z, L), Z.ctrlKey || Z.metaKey, q), p.setAttribute("x", String(Z.clientX - L.left + 16)), p.setAttribute("y", String(Z.clientY - L.top - 12));
+      }, R = (Z) => {
+        h.removeEventListener("pointermove", _), h.removeEventListener("pointerup", mt), h.removeEventListener("pointercancel", Be), removeEventListener("keydown", Ue, !0), h.classList.remove("held"), p.textContent = "", Z ? q.end() : q.cancel();
+      }, mt = () => R(!0), Be = () => R(!1), Ue = (Z) => {
+        Z.key === "Escape" && (Z.stopPropagation(), R(!1));
       };
-      d.addEventListener("pointermove", U), d.addEventListener("pointerup", mt), d.addEventListener("pointercancel", Be), addEventListener("keydown", Ue, !0);
+      h.addEventListener("pointermove", _), h.addEventListener("pointerup", mt), h.addEventListener("pointercancel", Be), addEventListener("keydown", Ue, !0);
     });
   }
-  let mn = (d, b, k) => k ? Math.round(d / b) * b : d, dn = (d) => d.map((b) => b.toFixed(2)).join("  ") + " m";
-  we.forEach((d, b) => {
-    be(s[b].group, "move", () => {
+  let dn = (h, v, k) => k ? Math.round(h / v) * v : h, hn = (h) => h.map((v) => v.toFixed(2)).join("  ") + " m";
+  xe.forEach((h, v) => {
+    ve(s[v].group, "move", () => {
       let k = t.target.peek().position, w = null;
-      return (I, $, z) => {
-        let R = Or(k, d, I);
-        w ??= R;
-        let O = ie(d, mn(R - w, Do, $));
-        return z.move(O), dn(O);
+      return (I, L, z) => {
+        let q = ei(k, h, I);
+        w ??= q;
+        let O = ie(h, dn(q - w, Oa, L));
+        return z.move(O), hn(O);
       };
-    }), be(r[b].group, "move", () => mo(d)), be(l[b].group, "turn", () => {
+    }), ve(r[v].group, "move", () => ma(h)), ve(l[v].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
-      return (I, $, z) => {
-        let R = Oo(k.position, d, I), O = R && kn(Ae(R, k.position), qr(d));
+      return (I, L, z) => {
+        let q = Ka(k.position, h, I), O = q && xn(Ae(q, k.position), Yr(h));
         if (!O) return "";
         w.at ??= O;
-        let U = Math.atan2(me(d, Fr(w.at, O)), me(w.at, O)), q = mn(U, Gr, $);
-        return z.rotate(d, q), `${(q * 180 / Math.PI).toFixed(1)}°`;
+        let _ = Math.atan2(de(h, zr(w.at, O)), de(w.at, O)), R = dn(_, Jr, L);
+        return z.rotate(h, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
       };
     });
-  }), be(p.group, "move", (d) => mo(d.hole.forward)), be(i.group, "aim", (d) => {
-    let b = t.target.peek(), k = b.aim ?? re(b.position, ie(b.direction, 3 * g(d, b.position))), w = ho(k, d.hole.forward);
-    return (I, $, z) => {
-      let R = w(I, $), O = re(k, R);
-      return Hr(O, b.position) > 1e-3 && z.turn(kn(Ae(O, b.position)), O), dn(O);
+  }), ve(c.group, "move", (h) => ma(h.hole.forward)), ve(i.group, "aim", (h) => {
+    let v = t.target.peek(), k = v.aim ?? re(v.position, ie(v.direction, 3 * b(h, v.position))), w = da(k, h.hole.forward);
+    return (I, L, z) => {
+      let q = w(I, L), O = re(k, q);
+      return jr(O, v.position) > 1e-3 && z.turn(xn(Ae(O, v.position)), O), hn(O);
     };
   });
-  function mo(d) {
-    let b = ho(t.target.peek().position, d);
+  function ma(h) {
+    let v = da(t.target.peek().position, h);
     return (k, w, I) => {
-      let $ = b(k, w);
-      return I.move($), dn($);
+      let L = v(k, w);
+      return I.move(L), hn(L);
     };
   }
-  function ho(d, b) {
+  function da(h, v) {
     let k = null;
     return (w, I) => {
-      let $ = Oo(d, b, w);
-      return $ ? (k ??= $, Ae($, k).map((z) => mn(z, Do, I))) : [0, 0, 0];
+      let L = Ka(h, v, w);
+      return L ? (k ??= L, Ae(L, k).map((z) => dn(z, Oa, I))) : [0, 0, 0];
     };
   }
   return { stop: H };
 }
-function Or(e, t, n) {
-  let o = Ae(e, n.origin), a = me(t, n.direction), l = 1 - a * a;
-  return l < 1e-6 ? 0 : (a * me(n.direction, o) - me(t, o)) / l;
+function ei(e, t, n) {
+  let a = Ae(e, n.origin), o = de(t, n.direction), l = 1 - o * o;
+  return l < 1e-6 ? 0 : (o * de(n.direction, a) - de(t, a)) / l;
 }
-function Oo(e, t, n) {
-  let o = me(t, n.direction);
-  if (Math.abs(o) < 1e-4 * Nr(t)) return null;
-  let a = me(Ae(e, n.origin), t) / o;
-  return a < 0 || a > 1e6 ? null : re(n.origin, ie(n.direction, a));
+function Ka(e, t, n) {
+  let a = de(t, n.direction);
+  if (Math.abs(a) < 1e-4 * Zr(t)) return null;
+  let o = de(Ae(e, n.origin), t) / a;
+  return o < 0 || o > 1e6 ? null : re(n.origin, ie(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as mi } from "./desk.js";
-function si([e, t, n, o], [a, l, r, s]) {
+import { jsx as Ci } from "./desk.js";
+function wi([e, t, n, a], [o, l, r, s]) {
   return [
-    o * a + e * s + t * r - n * l,
-    o * l - e * r + t * s + n * a,
-    o * r + e * l - t * a + n * s,
-    o * s - e * a - t * l - n * r
+    a * o + e * s + t * r - n * l,
+    a * l - e * r + t * s + n * o,
+    a * r + e * l - t * o + n * s,
+    a * s - e * o - t * l - n * r
   ];
 }
-var ui = () => !Yr.value && Jr.value !== "watch" && Kr.value.you && ai.value !== "aim", _o = xn(() => {
-  let e = ei.value;
-  if (!e || !ui()) return null;
+var xi = () => !ii.value && mi.value !== "watch" && ni.value.you && bi.value !== "aim", Ya = Sn(() => {
+  let e = di.value;
+  if (!e || !xi()) return null;
   if (e.kind === "thing") {
-    let n = e.ids.filter((o) => Vt.get(o) && !Vt.get(o)?.locked);
+    let n = e.ids.filter((a) => Vt.get(a) && !Vt.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = Wr.value.filter((n) => Uo(Pt.get(n)));
+  let t = ti.value.filter((n) => Xa(Pt.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
-}), Xo = (e) => {
+}), za = (e) => {
   let t = Vt.get(e);
-  return t?.place?.position ?? (t?.box ? zr(t.box) : null);
-}, Yo = xn(() => {
-  let e = _o.value;
+  return t?.place?.position ?? (t?.box ? si(t.box) : null);
+}, ja = Sn(() => {
+  let e = Ya.value;
   if (!e) return null;
-  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Uo(Pt.get(t)) : Xo(t);
+  let t = e.ids[e.ids.length - 1], n = e.kind === "lamps" ? Xa(Pt.get(t)) : za(t);
   if (!n) return null;
-  let o = e.kind === "lamps" ? Pt.get(t)?.place : null;
+  let a = e.kind === "lamps" ? Pt.get(t)?.place : null;
   return {
     position: n,
-    direction: o?.direction ?? null,
-    aim: o?.aim ?? null,
-    turns: e.kind === "things" || !!o?.direction || !!o?.rotation,
-    mode: Xr.value
+    direction: a?.direction ?? null,
+    aim: a?.aim ?? null,
+    turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
+    mode: ri.value
   };
-}), ci = xn(() => {
-  let e = ti.value;
-  if (ii.value, !e) return null;
+}), Mi = Sn(() => {
+  let e = hi.value;
+  if (ki.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: Qr(e.camera, t, n), fit: Ur(t, n) };
-}), zo = {
-  effect: Br,
-  target: Yo,
-  view: ci,
+  return { hole: pi(e.camera, t, n), fit: oi(t, n) };
+}), Za = {
+  effect: ai,
+  target: ja,
+  view: Mi,
   hold(e) {
-    let t = _o.peek(), n = t?.ids ?? [], o = t?.kind ?? "lamps", a = o === "lamps" ? oi(n) : n.length === 1 ? jr("thing", n[0]) : `${n.length} things`, l = new _r(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${a}`), r = o === "lamps" ? Je(n) : new Map(n.map((i) => [i, Xo(i)])), s = new Map(n.map((i) => [i, (o === "lamps" ? Pt : Vt).get(i)?.place])), p = (i) => {
-      let m = n.map((c) => [c, i(c)]).filter(([, c]) => c);
-      l.set({ [o]: Object.fromEntries(m.map(([c, g]) => [c, { place: g }])) });
+    let t = Ya.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? gi(n) : n.length === 1 ? ui("thing", n[0]) : `${n.length} things`, l = new li(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? Je(n) : new Map(n.map((i) => [i, za(i)])), s = new Map(n.map((i) => [i, (a === "lamps" ? Pt : Vt).get(i)?.place])), c = (i) => {
+      let p = n.map((u) => [u, i(u)]).filter(([, u]) => u);
+      l.set({ [a]: Object.fromEntries(p.map(([u, b]) => [u, { place: b }])) });
     };
     return {
-      move: (i) => o === "lamps" ? l.set(Qe(n, i, r)) : p((m) => ({ position: Ko(r.get(m), i) })),
-      turn: (i, m) => p((c) => s.get(c)?.direction ? { direction: i, ...m ? { aim: m } : {} } : null),
-      rotate: (i, m) => p((c) => {
-        let g = s.get(c);
-        if (g?.direction) {
-          let v = Zr(Bo(g.direction, i, m)), E = g.aim && g.position ? Bo(ni(g.aim, g.position), i, m) : null;
-          return { direction: v, ...E ? { aim: Ko(g.position, E) } : {} };
+      move: (i) => a === "lamps" ? l.set(Qe(n, i, r)) : c((p) => ({ position: Ua(r.get(p), i) })),
+      turn: (i, p) => c((u) => s.get(u)?.direction ? { direction: i, ...p ? { aim: p } : {} } : null),
+      rotate: (i, p) => c((u) => {
+        let b = s.get(u);
+        if (b?.direction) {
+          let f = ci(_a(b.direction, i, p)), S = b.aim && b.position ? _a(fi(b.aim, b.position), i, p) : null;
+          return { direction: f, ...S ? { aim: Ua(b.position, S) } : {} };
         }
-        let u = Math.sin(m / 2), h = [i[0] * u, i[1] * u, i[2] * u, Math.cos(m / 2)];
-        return { rotation: si(h, g?.rotation ?? [0, 0, 0, 1]) };
+        let d = Math.sin(p / 2), m = [i[0] * d, i[1] * d, i[2] * d, Math.cos(p / 2)];
+        return { rotation: wi(m, b?.rotation ?? [0, 0, 0, 1]) };
       }),
       end: () => l.end(),
       cancel: () => l.cancel()
     };
   }
-}, jo = (e) => Yo.peek() ? zo.hold(e) : null;
-function pi() {
-  let e = ri(null);
-  return li(() => Wo(e.current, zo).stop, []), mi("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+}, Qa = (e) => ja.peek() ? Za.hold(e) : null;
+function Si() {
+  let e = yi(null);
+  return vi(() => Ba(e.current, Za).stop, []), Ci("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/typed.tsx
-import { jsx as Vi, jsxs as Qo } from "./desk.js";
-var Mi = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Si = { Minus: "-", NumpadSubtract: "-", Period: ".", Comma: ".", NumpadDecimal: "." }, Zo = { Enter: "keep", Escape: "leave", Backspace: "back" };
-function Ci({ key: e, code: t }) {
-  if (Zo[e]) return { does: Zo[e] };
+import { jsx as Ki, jsxs as eo } from "./desk.js";
+var Fi = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Hi = { Minus: "-", NumpadSubtract: "-", Period: ".", Comma: ".", NumpadDecimal: "." }, Ja = { Enter: "keep", Escape: "leave", Backspace: "back" };
+function Ni({ key: e, code: t }) {
+  if (Ja[e]) return { does: Ja[e] };
   let n = e.length === 1 ? "xyz".indexOf(e.toLowerCase()) : -1;
   if (n >= 0) return { axis: n };
   if (/^\d$/.test(e)) return { sign: e };
   if (/^[.,]$/.test(e)) return { sign: "." };
   if (/^[-−]$/.test(e)) return { sign: "-" };
   if (/^[a-z]$/i.test(e)) return {};
-  let o = ["KeyX", "KeyY", "KeyZ"].indexOf(t);
-  if (o >= 0) return { axis: o };
-  let a = /^(?:Digit|Numpad)(\d)$/.exec(t)?.[1] ?? Si[t];
-  return a ? { sign: a } : {};
+  let a = ["KeyX", "KeyY", "KeyZ"].indexOf(t);
+  if (a >= 0) return { axis: a };
+  let o = /^(?:Digit|Numpad)(\d)$/.exec(t)?.[1] ?? Hi[t];
+  return o ? { sign: o } : {};
 }
-function $i(e, t) {
+function Di(e, t) {
   return t === "-" ? e.startsWith("-") ? e.slice(1) : `-${e}` : t === "." && e.includes(".") ? e : e.length < 9 ? e + t : e;
 }
-var Li = (e) => Number(e) || 0, Re = ki(null), Me = null;
-function Mn(e) {
-  xe(!0), hi.value = e, wi.value = null, Re.value = { what: e, axis: null, text: "" };
+var Gi = (e) => Number(e) || 0, qe = Ai(null), Se = null;
+function Cn(e) {
+  Me(!0), Li.value = e, qi.value = null, qe.value = { what: e, axis: null, text: "" };
 }
-function xe(e) {
-  Re.peek() && (Re.value = null, e ? Me?.end() : Me?.cancel(), Me = null);
+function Me(e) {
+  qe.peek() && (qe.value = null, e ? Se?.end() : Se?.cancel(), Se = null);
 }
 function Et(e) {
-  Re.value = e;
-  let t = Mi[e.axis ?? 0], n = Li(e.text);
-  e.what === "move" ? Me?.move(vi(t, n)) : Me?.rotate(t, n * Math.PI / 180);
+  qe.value = e;
+  let t = Fi[e.axis ?? 0], n = Gi(e.text);
+  e.what === "move" ? Se?.move(Ei(t, n)) : Se?.rotate(t, n * Math.PI / 180);
 }
-function Ti(e) {
-  let t = Re.peek();
+function Oi(e) {
+  let t = qe.peek();
   if (!t || e.key === "Shift") return !1;
-  let n = e.ctrlKey || e.metaKey || e.altKey, { axis: o, sign: a, does: l } = n ? {} : Ci(e);
+  let n = e.ctrlKey || e.metaKey || e.altKey, { axis: a, sign: o, does: l } = n ? {} : Ni(e);
   if (t.axis === null)
-    return o === void 0 ? (xe(!1), l === "leave") : (Me = jo(t.what), Me ? Et({ ...t, axis: o }) : (xe(!1), bi("Select lamps that have a place, or things that are not locked.", "warn")), !0);
+    return a === void 0 ? (Me(!1), l === "leave") : (Se = Qa(t.what), Se ? Et({ ...t, axis: a }) : (Me(!1), Vi("Select lamps that have a place, or things that are not locked.", "warn")), !0);
   if (n)
-    return xe(!0), !1;
-  if (o !== void 0) Et({ ...t, axis: o });
-  else if (a) Et({ ...t, text: $i(t.text, a) });
+    return Me(!0), !1;
+  if (a !== void 0) Et({ ...t, axis: a });
+  else if (o) Et({ ...t, text: Di(t.text, o) });
   else if (l === "back") Et({ ...t, text: t.text.slice(0, -1) });
-  else if (l) xe(l === "keep");
+  else if (l) Me(l === "keep");
   else return e.key.length === 1;
   return !0;
 }
-fi(Ti);
-addEventListener("pointerdown", (e) => xe(e.button !== 2), !0);
-di(() => {
-  yi.value, xi(() => xe(!0));
+Ti(Oi);
+addEventListener("pointerdown", (e) => Me(e.button !== 2), !0);
+$i(() => {
+  Ii.value, Ri(() => Me(!0));
 });
-function Pi() {
-  let e = Re.value;
-  if (!e || gi.value === "watch") return null;
+function Wi() {
+  let e = qe.value;
+  if (!e || Pi.value === "watch") return null;
   let t = e.what === "move" ? "Move" : "Turn";
-  return e.axis === null ? Qo("p", { class: "hint", role: "status", children: [
+  return e.axis === null ? eo("p", { class: "hint", role: "status", children: [
     t,
     ": X, Y or Z, then ",
     e.what === "move" ? "metres" : "degrees",
     "; or drag a handle."
-  ] }) : Qo("p", { class: "hint", role: "status", children: [
+  ] }) : eo("p", { class: "hint", role: "status", children: [
     t,
     " ",
     e.what === "move" ? "along" : "about",
     " ",
     "XYZ"[e.axis],
     ": ",
-    Vi("b", { children: e.text || "0" }),
+    Ki("b", { children: e.text || "0" }),
     e.what === "move" ? " m" : "°",
     ". Enter keeps it, Esc takes it back."
   ] });
 }
 
 // src/later/actions.ts
-var se = () => _() ?? (de.value.length ? null : "Select a lamp first.");
-function ss() {
-  let e = de.peek(), t = !e.some((n) => It.get(n)?.on);
-  Tn(`${da(e)} ${t ? "on" : "off"}`, { lamps: Ln(e, { on: t }) });
+var se = () => X() ?? (he.value.length ? null : "Select a lamp first.");
+function ws() {
+  let e = he.peek(), t = !e.some((n) => At.get(n)?.on);
+  Pn(`${go(e)} ${t ? "on" : "off"}`, { lamps: Tn(e, { on: t }) });
 }
-function us() {
-  let e = de.peek(), t = !e.every((n) => It.get(n)?.parked);
-  Tn(`${t ? "Park" : "Unpark"} ${da(e)}`, { lamps: Ln(e, { parked: t }) });
+function xs() {
+  let e = he.peek(), t = !e.every((n) => At.get(n)?.parked);
+  Pn(`${t ? "Park" : "Unpark"} ${go(e)}`, { lamps: Tn(e, { parked: t }) });
 }
-function pa(e) {
-  let t = ma.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : ua.ids.peek().filter((o) => ua.get(o)?.hidden);
-  if (!n.length) return ot(e ? "Select a thing first." : "Nothing is hidden.", "warn");
-  Tn(e ? "Hide things" : "Show hidden things", { things: Ln(n, { hidden: e }) });
+function ho(e) {
+  let t = fo.peek(), n = e ? t?.kind === "thing" ? t.ids : [] : po.ids.peek().filter((a) => po.get(a)?.hidden);
+  if (!n.length) return at(e ? "Select a thing first." : "Nothing is hidden.", "warn");
+  Pn(e ? "Hide things" : "Show hidden things", { things: Tn(n, { hidden: e }) });
 }
-function cs() {
-  let e = de.peek()[0], t = It.get(e)?.place, n = Yi();
-  if (!t?.position || !t.direction || !n) return ot("Select a lamp that has a direction.", "warn");
-  let { position: o, direction: a } = t;
-  Ki({ ...n, eye: o, target: [o[0] + a[0], o[1] + a[1], o[2] + a[2]], height: null, near: null }, "from the lamp");
+function Ms() {
+  let e = he.peek()[0], t = At.get(e)?.place, n = is();
+  if (!t?.position || !t.direction || !n) return at("Select a lamp that has a direction.", "warn");
+  let { position: a, direction: o } = t;
+  ns({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function ps() {
-  Ai("command", {}, (e) => {
-    Hi(e.text);
+function Ss() {
+  _i("command", {}, (e) => {
+    ji(e.text);
   });
 }
-var ms = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], ds = {
+var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], $s = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, hs = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: Wi },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: Bi },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: Ui },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: Ri },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: Oi },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: as, why: _ },
-  ...Qi.map((e, t) => ({
+}, Ls = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: ts },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: as },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: os },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: Xi },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: es },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: bs, why: X },
+  ...ps.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: ds[e],
+    label: $s[e],
     keys: `Shift+${t + 1}`,
-    run: () => _i(e)
+    run: () => ls(e)
   })),
   {
     id: "walking",
@@ -638,57 +758,57 @@ var ms = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     label: "Walk or fly",
     keys: "V",
     run: () => {
-      $n.value = $n.peek() === "walk" ? "fly" : "walk", ot($n.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
+      Ln.value = Ln.peek() === "walk" ? "fly" : "walk", at(Ln.peek() === "walk" ? "Walking, the eye 1.60 m above the floor" : "Flying");
     }
   },
-  { id: "there", group: "View", label: "Go to the floor under the pointer", keys: "double click", run: Ho, why: Fo },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: cs, why: se },
-  { id: "next", group: "Select", label: "Next", keys: "]", run: () => ia(1) },
-  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => ia(-1) },
-  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => Se("marquee") },
-  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => ma.value = { kind: "lamp", ids: It.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Di },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ss, why: se },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: ns, why: () => de.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: qi },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => zi(!0), why: se },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: us, why: se },
-  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => Se("aim"), why: se },
-  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => nt.peek() && ze(de.peek(), nt.peek().point), why: se },
-  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => Se("place"), why: se },
-  { id: "move", group: "Lamps", label: "Move: handles, or an axis and metres", keys: "G, then X Y Z, 0.5", run: () => Mn("move") },
-  { id: "turn", group: "Lamps", label: "Turn: handles, or an axis and degrees", keys: "R, then X Y Z, 30", run: () => Mn("turn") },
-  ...ms.map(([e, t]) => ({
+  { id: "there", group: "View", label: "Go to the floor under the pointer", keys: "double click", run: Da, why: Na },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Ms, why: se },
+  { id: "next", group: "Select", label: "Next", keys: "]", run: () => uo(1) },
+  { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => uo(-1) },
+  { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => Ce("marquee") },
+  { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => fo.value = { kind: "lamp", ids: At.ids.peek() } },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Qi },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ws, why: se },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: fs, why: () => he.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: Yi },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => ss(!0), why: se },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: xs, why: se },
+  { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => Ce("aim"), why: se },
+  { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => nt.peek() && ze(he.peek(), nt.peek().point), why: se },
+  { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => Ce("place"), why: se },
+  { id: "move", group: "Lamps", label: "Move: handles, or an axis and metres", keys: "G, then X Y Z, 0.5", run: () => Cn("move") },
+  { id: "turn", group: "Lamps", label: "Turn: handles, or an axis and degrees", keys: "R, then X Y Z, 30", run: () => Cn("turn") },
+  ...Cs.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
-    why: _,
+    why: X,
     run: () => {
-      Ei.value = e, Se("add");
+      Bi.value = e, Ce("add");
     }
   })),
-  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => Mt(de.peek(), 1, [0.5, 0, 0]), why: se },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => To(de.peek()), why: se },
-  { id: "group", group: "Lamps", label: "Group: one master for those selected", keys: "Ctrl+G", run: Io, why: () => _() ?? $t() },
-  { id: "ungroup", group: "Lamps", label: "Dissolve the group, or take lamps out of it", keys: "Ctrl+Shift+G", run: Ao, why: () => _() ?? Lt() },
-  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => pa(!0), why: _ },
-  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => pa(!1), why: _ },
-  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => Sn({ do: "undo" }), why: () => _() ?? (na.value.undo === null ? "There is nothing to undo." : null) },
-  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => Sn({ do: "redo" }), why: () => _() ?? (na.value.redo === null ? "There is nothing to redo." : null) },
-  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => tt.value = "save", why: _ },
+  { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => Mt(he.peek(), 1, [0.5, 0, 0]), why: se },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Va(he.peek()), why: se },
+  { id: "group", group: "Lamps", label: "Group: one master for those selected", keys: "Ctrl+G", run: qa, why: () => X() ?? $t() },
+  { id: "ungroup", group: "Lamps", label: "Dissolve the group, or take lamps out of it", keys: "Ctrl+Shift+G", run: Ra, why: () => X() ?? Lt() },
+  { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => ho(!0), why: X },
+  { id: "unhide", group: "Things", label: "Show what is hidden", keys: "Alt+H", run: () => ho(!1), why: X },
+  { id: "undo", group: "Work", label: "Undo", keys: "Ctrl+Z", run: () => $n({ do: "undo" }), why: () => X() ?? (oo.value.undo === null ? "There is nothing to undo." : null) },
+  { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => $n({ do: "redo" }), why: () => X() ?? (oo.value.redo === null ? "There is nothing to redo." : null) },
+  { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => tt.value = "save", why: X },
   { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => tt.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: ps },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Ss },
   { id: "share", group: "Work", label: "Share by link", run: () => tt.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: ls },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: vs },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = Gi();
-      e.against != null ? Cn({ false_color: Ni }) : Cn({ false_color: { ...Ii(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = Ji();
+      e.against != null || e.quantity === "clamped" ? It({ false_color: Zi }) : It({ false_color: { ...Ui(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
   {
@@ -696,90 +816,91 @@ var ms = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     group: "Seeing",
     label: "Difference in lux to the look stored last",
     run: () => {
-      let e = ji.ids.peek().at(-1);
-      e === void 0 ? ot("Store a look first.") : Cn({ false_color: ft(e) });
+      let e = us.ids.peek().at(-1);
+      e === void 0 ? at("Store a look first.") : It({ false_color: ft(e) });
     }
   },
-  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => ea(1) },
-  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => ea(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => ts({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => Fi(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: rs },
-  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: _, run: () => nt.peek() ? Ze(nt.peek().point, nt.peek().normal) : Se("meter") },
-  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => Se("meter"), why: _ },
-  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => Se("grid"), why: _ },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => Sn({ do: "reach", most: Ie.peek(), maintenance: Zi.peek() }), why: _ },
-  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => Jo.value = Jo.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: os, why: _ },
-  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => ot("Press J, then the digit of the look.") },
-  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => ra.value = !ra.peek() },
-  { id: "listing", group: "Page", label: "Faders or sheet", run: () => aa.value = aa.peek() === "faders" ? "sheet" : "faders" },
-  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => ca.value = ca.peek() === "square" ? "linear" : "square" },
-  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => oa.value = !oa.peek() },
-  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => ta.value = !ta.peek() },
-  { id: "theme", group: "Page", label: "Light or dark", run: () => sa.value = sa.peek() === "dark" ? "light" : "dark" },
-  { id: "lock", group: "Page", label: "Look-only lock", run: () => la.value = !la.peek() },
+  { id: "clamped", group: "Seeing", label: "What clamping takes, and short rays pay back", run: () => It({ false_color: va }) },
+  { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => no(1) },
+  { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => no(-1) },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => hs({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => zi(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: ys },
+  { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: X, run: () => nt.peek() ? Ze(nt.peek().point, nt.peek().normal) : Ce("meter") },
+  { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => Ce("meter"), why: X },
+  { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => Ce("grid"), why: X },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => $n({ do: "reach", most: Ie.peek(), maintenance: cs.peek() }), why: X },
+  { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => to.value = to.peek() === "lx" ? "fc" : "lx" },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: gs, why: X },
+  { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => at("Press J, then the digit of the look.") },
+  { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => so.value = !so.peek() },
+  { id: "listing", group: "Page", label: "Faders or sheet", run: () => ro.value = ro.peek() === "faders" ? "sheet" : "faders" },
+  { id: "travel", group: "Page", label: "Faders by the square law or even", run: () => mo.value = mo.peek() === "square" ? "linear" : "square" },
+  { id: "marks", group: "Page", label: "Marks of lamps in the view", run: () => lo.value = !lo.peek() },
+  { id: "fine", group: "Page", label: "Full resolution of fine displays", run: () => ao.value = !ao.peek() },
+  { id: "theme", group: "Page", label: "Light or dark", run: () => co.value = co.peek() === "dark" ? "light" : "dark" },
+  { id: "lock", group: "Page", label: "Look-only lock", run: () => io.value = !io.peek() },
   ...["default", "blender", "maya", "trackpad"].map((e) => ({
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => Xi.value = e
+    run: () => rs.value = e
   })),
   { id: "help", group: "Page", label: "All keys", keys: "?", run: () => tt.value = "help" },
   { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => tt.value = "palette" }
 ];
-Ji(hs);
-function At() {
-  return [...(es.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...is.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+ms(Ls);
+function qt() {
+  return [...(ds.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...ks.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/shares.ts
-import { ask as fs, computed as gs, effect as ha, lamps as bs, output as vs, untracked as ys, what as Pn } from "./desk.js";
-var ks = gs(() => Pn.value?.hit ?? null), fa = (e) => fs("light", { point: e.point, normal: e.normal }, (t) => {
-  let n = Pn.peek();
-  n?.hit === e && (Pn.value = {
+import { ask as Ts, computed as Ps, effect as bo, lamps as Vs, output as Es, untracked as Is, what as Vn } from "./desk.js";
+var As = Ps(() => Vn.value?.hit ?? null), vo = (e) => Ts("light", { point: e.point, normal: e.normal }, (t) => {
+  let n = Vn.peek();
+  n?.hit === e && (Vn.value = {
     ...n,
     lux: t.lux ?? n.lux,
     lamps: t.lamps ?? n.lamps,
     done: t.done !== !1
   });
 });
-ha(() => {
-  let e = ks.value;
+bo(() => {
+  let e = As.value;
   if (!e) return;
-  let t = ys(() => fa(e)), n = null, o = !0, a = ha(() => {
-    for (let [, l] of bs.all()) vs(l);
-    n !== null && clearTimeout(n), o || (n = window.setTimeout(() => {
-      t(), t = fa(e);
-    }, 250)), o = !1;
+  let t = Is(() => vo(e)), n = null, a = !0, o = bo(() => {
+    for (let [, l] of Vs.all()) Es(l);
+    n !== null && clearTimeout(n), a || (n = window.setTimeout(() => {
+      t(), t = vo(e);
+    }, 250)), a = !1;
   });
   return () => {
-    t(), a(), n !== null && clearTimeout(n);
+    t(), o(), n !== null && clearTimeout(n);
   };
 });
 
 // src/later/compare.tsx
-import { before as ws, comparing as xs, digits as Ms, fitted as Ss, useEffect as Cs, useRef as $s, viewSize as Ls, wipeAt as Vn } from "./desk.js";
-import { Fragment as Ps, jsx as En, jsxs as Vs } from "./desk.js";
-function Ts() {
-  let e = xs.value, t = ws.value, n = $s(null);
-  if (Cs(() => {
+import { before as qs, comparing as Rs, digits as Fs, fitted as Hs, useEffect as Ns, useRef as Ds, viewSize as Gs, wipeAt as En } from "./desk.js";
+import { Fragment as Ws, jsx as In, jsxs as Ks } from "./desk.js";
+function Os() {
+  let e = Rs.value, t = qs.value, n = Ds(null);
+  if (Ns(() => {
     let i = n.current;
     !i || !t || (i.width = t.picture.width, i.height = t.picture.height, i.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [o] = Ls.value, a = Vn.value, l = Ss(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (a * o - l.x) / (t.picture.width * l.scale))), s = (i) => {
-    let m = i.currentTarget;
-    if (i.stopPropagation(), i.type === "pointerdown") m.setPointerCapture(i.pointerId);
-    else if (m.hasPointerCapture(i.pointerId)) {
-      let c = m.parentElement.getBoundingClientRect();
-      Vn.value = Math.max(0, Math.min(1, (i.clientX - c.left) / c.width));
+  let [a] = Gs.value, o = En.value, l = Hs(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), s = (i) => {
+    let p = i.currentTarget;
+    if (i.stopPropagation(), i.type === "pointerdown") p.setPointerCapture(i.pointerId);
+    else if (p.hasPointerCapture(i.pointerId)) {
+      let u = p.parentElement.getBoundingClientRect();
+      En.value = Math.max(0, Math.min(1, (i.clientX - u.left) / u.width));
     }
-  }, p = (i) => {
-    let m = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
-    m && (i.stopPropagation(), i.preventDefault(), Vn.value = Math.max(0, Math.min(1, a + m)));
+  }, c = (i) => {
+    let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
+    p && (i.stopPropagation(), i.preventDefault(), En.value = Math.max(0, Math.min(1, o + p)));
   };
-  return Vs(Ps, { children: [
-    En(
+  return Ks(Ws, { children: [
+    In(
       "canvas",
       {
         ref: n,
@@ -788,8 +909,8 @@ function Ts() {
         style: { clipPath: e === "wipe" ? `inset(0 ${100 - 100 * r}% 0 0)` : "none" }
       }
     ),
-    En("span", { class: "tag left", children: "before" }),
-    e === "wipe" && En(
+    In("span", { class: "tag left", children: "before" }),
+    e === "wipe" && In(
       "div",
       {
         class: "wipe",
@@ -799,149 +920,149 @@ function Ts() {
         "aria-label": "Wipe between before and now",
         "aria-valuemin": 0,
         "aria-valuemax": 100,
-        "aria-valuenow": Math.round(a * 100),
-        "aria-valuetext": `${Ms(a * 100)} % before`,
-        style: { left: `${100 * a}%` },
+        "aria-valuenow": Math.round(o * 100),
+        "aria-valuetext": `${Fs(o * 100)} % before`,
+        style: { left: `${100 * o}%` },
         onPointerDown: s,
         onPointerMove: s,
-        onKeyDown: p
+        onKeyDown: c
       }
     )
   ] });
 }
 
 // src/later/inspector.tsx
-import { act as bl, deselect as Nu, Icon as Qn, penless as Jn, selection as Du, signal as Gu } from "./desk.js";
+import { act as kl, deselect as Zu, Icon as Jn, penless as ea, selection as Qu, signal as Ju } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  add as Hs,
-  deselect as La,
-  digits as Ce,
-  dot as Ns,
-  edit as Gt,
-  grids as Ds,
-  Icon as Ta,
-  length as Dt,
+  add as js,
+  deselect as Vo,
+  digits as $e,
+  dot as Zs,
+  edit as Ot,
+  grids as Qs,
+  Icon as Eo,
+  length as Gt,
   maintained as He,
-  maintenance as Gs,
-  meters as Os,
-  scale as Ws,
-  selection as Pa,
-  up as Ca
+  maintenance as Js,
+  meters as eu,
+  scale as tu,
+  selection as Io,
+  up as To
 } from "./desk.js";
 
 // src/later/figures.tsx
-import { maintenance as ba, status as In } from "./desk.js";
+import { maintenance as ko, status as An } from "./desk.js";
 
 // src/later/verdict.ts
-function ga(e, t) {
-  let n = ({ value: a, error: l, least: r }) => {
+function yo(e, t) {
+  let n = ({ value: o, error: l, least: r }) => {
     let s = t ? 0 : l ?? 1 / 0;
-    return a - s >= r ? "met" : a + s < r ? "missed" : "open";
-  }, o = e.map(n);
-  return o.includes("missed") ? "missed" : o.includes("open") ? "open" : "met";
+    return o - s >= r ? "met" : o + s < r ? "missed" : "open";
+  }, a = e.map(n);
+  return a.includes("missed") ? "missed" : a.includes("open") ? "open" : "met";
 }
 
 // src/later/figures.tsx
-import { jsx as Ma } from "./desk.js";
-var va = () => In.value?.stage === "moving" || In.value?.stage === "loading", Es = () => va() || In.value?.stage === "refining", ya = { meter: 0.02, grid: 0.05 };
-function ka(e, t, n) {
-  return e == null || t == null || t > n * e || Es();
+import { jsx as $o } from "./desk.js";
+var wo = () => An.value?.stage === "moving" || An.value?.stage === "loading", Bs = () => wo() || An.value?.stage === "refining", xo = { meter: 0.02, grid: 0.05 };
+function Mo(e, t, n) {
+  return e == null || t == null || t > n * e || Bs();
 }
-var Rt = ({ lux: e }) => ka(e?.[0], e?.[1], ya.meter), qt = ({ mean: e, error: t }) => ka(e, t, ya.grid), wa = (e, t) => va() ? "open" : ga(e, t === !0);
-function Ft({ lux: e, target: t, done: n }) {
+var Rt = ({ lux: e }) => Mo(e?.[0], e?.[1], xo.meter), Ft = ({ mean: e, error: t }) => Mo(e, t, xo.grid), So = (e, t) => wo() ? "open" : yo(e, t === !0);
+function Ht({ lux: e, target: t, done: n }) {
   if (!e || !t) return null;
-  let o = ba.value;
-  return wa([{ value: e[0] * o, error: e[1] == null ? null : e[1] * o, least: t }], n);
+  let a = ko.value;
+  return So([{ value: e[0] * a, error: e[1] == null ? null : e[1] * a, least: t }], n);
 }
-function Ht({ mean: e, error: t, uniformity: n, uniformity_error: o, target: a, done: l }) {
-  if (!a || e == null || n == null) return null;
-  let r = ba.value;
-  return wa([
-    { value: e * r, error: t == null ? null : t * r, least: a.lux },
-    { value: n, error: o ?? null, least: a.uniformity }
+function Nt({ mean: e, error: t, uniformity: n, uniformity_error: a, target: o, done: l }) {
+  if (!o || e == null || n == null) return null;
+  let r = ko.value;
+  return So([
+    { value: e * r, error: t == null ? null : t * r, least: o.lux },
+    { value: n, error: a ?? null, least: o.uniformity }
   ], l);
 }
-var xa = {
+var Co = {
   met: ["✓", "reaches its target"],
   missed: ["✗", "misses its target"],
   open: ["≈", "within its ± of the target: not decided yet"]
 };
-function An({ of: e }) {
+function qn({ of: e }) {
   if (!e) return null;
-  let [t, n] = xa[e];
-  return Ma("b", { class: e, role: "img", "aria-label": n, title: n, children: t });
+  let [t, n] = Co[e];
+  return $o("b", { class: e, role: "img", "aria-label": n, title: n, children: t });
 }
 function Rn({ of: e }) {
   if (!e) return null;
-  let [t, n] = xa[e];
-  return Ma("p", { class: e, children: `${t} ${n[0].toUpperCase()}${n.slice(1)}` });
+  let [t, n] = Co[e];
+  return $o("p", { class: e, children: `${t} ${n[0].toUpperCase()}${n.slice(1)}` });
 }
 
 // src/later/parts.tsx
-import { Field as Sa, Gesture as Is, Range as As, stroke as Rs, useRef as qs } from "./desk.js";
-import { jsx as ue, jsxs as Nt } from "./desk.js";
+import { Field as Lo, Gesture as Us, Range as _s, stroke as Xs, useRef as Ys } from "./desk.js";
+import { jsx as ue, jsxs as Dt } from "./desk.js";
 function A({ title: e, note: t, children: n }) {
-  return Nt("section", { class: "part", "aria-label": e, children: [
-    Nt("h3", { children: [
+  return Dt("section", { class: "part", "aria-label": e, children: [
+    Dt("h3", { children: [
       e,
       t && ue("small", { title: t, children: t })
     ] }),
     n
   ] });
 }
-function K(e) {
+function B(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
-function P(e) {
-  return Nt("label", { class: "line", children: [
+function V(e) {
+  return Dt("label", { class: "line", children: [
     ue("span", { children: e.label }),
-    ue(Sa, { ...e, label: e.name ?? e.label })
+    ue(Lo, { ...e, label: e.name ?? e.label })
   ] });
 }
-function Fs(e, t) {
+function zs(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
-function Q({ label: e, names: t, quantity: n, value: o, set: a, step: l, disabled: r }) {
+function Q({ label: e, names: t, quantity: n, value: a, set: o, step: l, disabled: r }) {
   let s = t ?? ["X", "Y", "Z"];
-  return Nt("div", { class: "line", role: "group", "aria-label": e, children: [
+  return Dt("div", { class: "line", role: "group", "aria-label": e, children: [
     ue("span", { children: e }),
-    ue("span", { class: "triple", children: s.map((p, i) => ue(
-      Sa,
+    ue("span", { class: "triple", children: s.map((c, i) => ue(
+      Lo,
       {
-        label: `${e} ${p}`,
+        label: `${e} ${c}`,
         quantity: n,
-        value: o[i],
-        text: Fs(o[i], n),
+        value: a[i],
+        text: zs(a[i], n),
         step: l,
         disabled: r,
-        set: (m) => a(i, m)
+        set: (p) => o(i, p)
       },
-      p
+      c
     )) })
   ] });
 }
-function qe({ label: e, name: t, value: n, text: o, patch: a, reset: l, notch: r, class: s, style: p, disabled: i }) {
-  let m = qs(null), c = (u) => () => {
-    m.current?.[u](), m.current = null;
-  }, g = (u) => m.current ? m.current.set(a(u)) : Rs(e + t, t, a(u));
+function Re({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r, class: s, style: c, disabled: i }) {
+  let p = Ys(null), u = (d) => () => {
+    p.current?.[d](), p.current = null;
+  }, b = (d) => p.current ? p.current.set(o(d)) : Xs(e + t, t, o(d));
   return ue(
-    As,
+    _s,
     {
       label: e,
       value: n,
-      text: o,
+      text: a,
       notch: r,
       class: s,
-      gradient: p,
+      gradient: c,
       disabled: i,
-      begin: () => m.current = new Is(t),
-      on: g,
-      end: c("end"),
-      cancel: c("cancel"),
-      reset: l === void 0 ? void 0 : () => g(l)
+      begin: () => p.current = new Us(t),
+      on: b,
+      end: u("end"),
+      cancel: u("cancel"),
+      reset: l === void 0 ? void 0 : () => b(l)
     }
   );
 }
@@ -954,114 +1075,114 @@ function Fe({ value: e, label: t, set: n }) {
       value: e,
       maxLength: 120,
       spellcheck: !1,
-      onChange: (o) => {
-        let a = o.currentTarget.value.trim();
-        a && a !== e ? n(a) : o.currentTarget.value = e;
+      onChange: (a) => {
+        let o = a.currentTarget.value.trim();
+        o && o !== e ? n(o) : a.currentTarget.value = e;
       },
-      onKeyDown: (o) => {
-        o.key === "Enter" && o.currentTarget.blur(), o.key === "Escape" && (o.stopPropagation(), o.currentTarget.value = e, o.currentTarget.blur());
+      onKeyDown: (a) => {
+        a.key === "Enter" && a.currentTarget.blur(), a.key === "Escape" && (a.stopPropagation(), a.currentTarget.value = e, a.currentTarget.blur());
       }
     }
   ) });
 }
-var ce = (e, t, n) => e.map((o, a) => a === t ? n(o) : o);
+var ce = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
-import { Fragment as qn, jsx as S, jsxs as X } from "./desk.js";
-var Ks = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
-function Va() {
-  let e = Pa.value?.ids[0], t = Os.get(e);
-  if (!t) return S("p", { class: "quiet empty", children: "This meter is gone." });
-  let n = (o, a) => {
-    let { lux: l, done: r, ...s } = { ...t, ...a };
-    Gt(`${t.name}: ${o}`, { meters: { [e]: s } });
+import { Fragment as Fn, jsx as C, jsxs as Y } from "./desk.js";
+var nu = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+function Ao() {
+  let e = Io.value?.ids[0], t = eu.get(e);
+  if (!t) return C("p", { class: "quiet empty", children: "This meter is gone." });
+  let n = (a, o) => {
+    let { lux: l, done: r, ...s } = { ...t, ...o };
+    Ot(`${t.name}: ${a}`, { meters: { [e]: s } });
   };
-  return X(qn, { children: [
-    S("header", { class: "panel-head", children: S(Fe, { label: "Name of the meter", value: t.name, set: (o) => n("rename", { name: o }) }) }),
-    S("p", { class: `crumbs ${Rt(t) ? "unsettled" : "known"}`, children: t.lux?.[1] != null ? `${He(t.lux[0])} ±${He(t.lux[1], !1)}` : "measuring" }),
-    S("div", { class: "scroll", children: X(A, { title: "Meter", children: [
-      X("label", { class: "line", children: [
-        S("span", { children: "Measures" }),
-        S("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (o) => n("kind", { kind: o.currentTarget.value }), children: Ks.map(([o, a]) => S("option", { value: o, children: a }, o)) })
+  return Y(Fn, { children: [
+    C("header", { class: "panel-head", children: C(Fe, { label: "Name of the meter", value: t.name, set: (a) => n("rename", { name: a }) }) }),
+    C("p", { class: `crumbs ${Rt(t) ? "unsettled" : "known"}`, children: t.lux?.[1] != null ? `${He(t.lux[0])} ±${He(t.lux[1], !1)}` : "measuring" }),
+    C("div", { class: "scroll", children: Y(A, { title: "Meter", children: [
+      Y("label", { class: "line", children: [
+        C("span", { children: "Measures" }),
+        C("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: nu.map(([a, o]) => C("option", { value: a, children: o }, a)) })
       ] }),
-      S(Q, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (o, a) => n("move", { point: ce(t.point, o, a) }) }),
-      S(P, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (o) => n("target", { target: o(t.target ?? 0) || null }) }),
-      S(Rn, { of: Ft(t) }),
-      S(Q, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((o) => Math.round(o * 1e3) / 1e3), set: (o, a) => n("turn", { normal: ce(t.normal, o, a) }) }),
-      X("button", { class: "plain full", onClick: () => {
-        La(), Gt(`Remove ${t.name}`, { meters: { [e]: null } });
+      C(Q, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: ce(t.point, a, o) }) }),
+      C(V, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
+      C(Rn, { of: Ht(t) }),
+      C(Q, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: ce(t.normal, a, o) }) }),
+      Y("button", { class: "plain full", onClick: () => {
+        Vo(), Ot(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        S(Ta, { name: "bin" }),
+        C(Eo, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
   ] });
 }
-var $a = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
-function Ea() {
-  let e = Pa.value?.ids[0], t = Ds.get(e);
-  if (!t) return S("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = Gs.value, o = (i, m) => {
-    let { name: c, corner: g, u, v: h, normal: v, columns: E, rows: H, border: ee, target: be } = { ...t, ...m };
-    Gt(`${t.name}: ${i}`, { grids: { [e]: { name: c, corner: g, u, v: h, normal: v, columns: E, rows: H, border: ee, target: be } } });
-  }, a = (i, m = t.border) => {
-    let [c, g] = bn([gt(Dt(t.u), m), gt(Dt(t.v), m)]);
-    o(i, { columns: c, rows: g, border: m });
-  }, l = Ns(t.corner, Ca.value) - bt(), r = (i, m, c) => X(qn, { children: [
-    S("dt", { children: i }),
-    S("dd", { children: m == null ? "…" : c(m) })
-  ] }), s = (i, m) => i == null ? "" : ` ±${m(i)}`, p = t.target ?? { lux: 500, uniformity: 0.6 };
-  return X(qn, { children: [
-    S("header", { class: "panel-head", children: S(Fe, { label: "Name of the grid", value: t.name, set: (i) => o("rename", { name: i }) }) }),
-    X("p", { class: "crumbs", children: [
-      Ce(Dt(t.u), 2),
+var Po = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
+function qo() {
+  let e = Io.value?.ids[0], t = Qs.get(e);
+  if (!t) return C("p", { class: "quiet empty", children: "This grid is gone." });
+  let n = Js.value, a = (i, p) => {
+    let { name: u, corner: b, u: d, v: m, normal: f, columns: S, rows: H, border: ee, target: ve } = { ...t, ...p };
+    Ot(`${t.name}: ${i}`, { grids: { [e]: { name: u, corner: b, u: d, v: m, normal: f, columns: S, rows: H, border: ee, target: ve } } });
+  }, o = (i, p = t.border) => {
+    let [u, b] = yn([gt(Gt(t.u), p), gt(Gt(t.v), p)]);
+    a(i, { columns: u, rows: b, border: p });
+  }, l = Zs(t.corner, To.value) - bt(), r = (i, p, u) => Y(Fn, { children: [
+    C("dt", { children: i }),
+    C("dd", { children: p == null ? "…" : u(p) })
+  ] }), s = (i, p) => i == null ? "" : ` ±${p(i)}`, c = t.target ?? { lux: 500, uniformity: 0.6 };
+  return Y(Fn, { children: [
+    C("header", { class: "panel-head", children: C(Fe, { label: "Name of the grid", value: t.name, set: (i) => a("rename", { name: i }) }) }),
+    Y("p", { class: "crumbs", children: [
+      $e(Gt(t.u), 2),
       " × ",
-      Ce(Dt(t.v), 2),
+      $e(Gt(t.v), 2),
       " m, ",
-      Ce(t.columns * t.rows),
+      $e(t.columns * t.rows),
       " points"
     ] }),
-    X("div", { class: "scroll", children: [
-      S(A, { title: "Figures", note: n === 1 ? "new" : `× ${Ce(n, 2)}`, children: X("dl", { class: `figures ${qt(t) ? "unsettled" : ""}`, children: [
-        r("Ē", t.mean, (i) => He(i) + s(t.error, (m) => He(m, !1))),
+    Y("div", { class: "scroll", children: [
+      C(A, { title: "Figures", note: n === 1 ? "new" : `× ${$e(n, 2)}`, children: Y("dl", { class: `figures ${Ft(t) ? "unsettled" : ""}`, children: [
+        r("Ē", t.mean, (i) => He(i) + s(t.error, (p) => He(p, !1))),
         r("E min", t.min, (i) => He(i)),
         r("E max", t.max, (i) => He(i)),
-        r("U₀ = min / mean", t.uniformity, (i) => Ce(i, 2) + s(t.uniformity_error, (m) => Ce(m, 2))),
-        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => Ce(i, 2))
+        r("U₀ = min / mean", t.uniformity, (i) => $e(i, 2) + s(t.uniformity_error, (p) => $e(p, 2))),
+        r("U d = min / max", t.max ? (t.min ?? 0) / t.max : null, (i) => $e(i, 2))
       ] }) }),
-      X(A, { title: "Target", children: [
-        S(Rn, { of: Ht(t) }),
-        X("label", { class: "line", children: [
-          S("span", { children: "Class" }),
-          X("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
-            let m = $a[Number(i.currentTarget.value)];
-            o("target", { target: m ? { lux: m[1], uniformity: m[2] } : null });
+      Y(A, { title: "Target", children: [
+        C(Rn, { of: Nt(t) }),
+        Y("label", { class: "line", children: [
+          C("span", { children: "Class" }),
+          Y("select", { "aria-label": "Class of the target", value: "", onChange: (i) => {
+            let p = Po[Number(i.currentTarget.value)];
+            a("target", { target: p ? { lux: p[1], uniformity: p[2] } : null });
           }, children: [
-            S("option", { value: "", children: t.target ? "choose…" : "none" }),
-            $a.map(([i, m, c], g) => X("option", { value: g, children: [
+            C("option", { value: "", children: t.target ? "choose…" : "none" }),
+            Po.map(([i, p, u], b) => Y("option", { value: b, children: [
               i,
               ": ",
-              m,
+              p,
               " lx, U₀ ",
-              c
+              u
             ] }, i)),
-            S("option", { value: "-1", children: "no target" })
+            C("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        S(P, { label: "Ē at least", quantity: "lux", step: 50, value: p.lux, set: (i) => o("target", { target: { ...p, lux: i(p.lux) } }) }),
-        S(P, { label: "U₀ at least", quantity: "share", step: 0.05, value: p.uniformity, set: (i) => o("target", { target: { ...p, uniformity: i(p.uniformity) } }) })
+        C(V, { label: "Ē at least", quantity: "lux", step: 50, value: c.lux, set: (i) => a("target", { target: { ...c, lux: i(c.lux) } }) }),
+        C(V, { label: "U₀ at least", quantity: "share", step: 0.05, value: c.uniformity, set: (i) => a("target", { target: { ...c, uniformity: i(c.uniformity) } }) })
       ] }),
-      X(A, { title: "Area", children: [
-        S(Q, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, m) => o("move", { corner: ce(t.corner, i, m) }) }),
-        S(P, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => o("height", { corner: Hs(t.corner, Ws(Ca.value, i(l) - l)) }) }),
-        S(P, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => a("border", Math.max(0, i(t.border ?? 0))) }),
-        S(P, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => o("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
-        S(P, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => o("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
-        S("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: () => a("standard spacing"), children: "Spacing of the standard" }),
-        X("button", { class: "plain full", onClick: () => {
-          La(), Gt(`Remove ${t.name}`, { grids: { [e]: null } });
+      Y(A, { title: "Area", children: [
+        C(Q, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, p) => a("move", { corner: ce(t.corner, i, p) }) }),
+        C(V, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => a("height", { corner: js(t.corner, tu(To.value, i(l) - l)) }) }),
+        C(V, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => o("border", Math.max(0, i(t.border ?? 0))) }),
+        C(V, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
+        C(V, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
+        C("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: () => o("standard spacing"), children: "Spacing of the standard" }),
+        Y("button", { class: "plain full", onClick: () => {
+          Vo(), Ot(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          S(Ta, { name: "bin" }),
+          C(Eo, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -1072,143 +1193,143 @@ function Ea() {
 // src/later/lamp.tsx
 import {
   act as oe,
-  chosenLamps as ou,
-  dot as Gn,
-  edit as Kt,
-  format as Wa,
-  groups as Bt,
-  handles as Ot,
+  chosenLamps as gu,
+  dot as On,
+  edit as Bt,
+  format as Uo,
+  groups as Ut,
+  handles as Wt,
   Icon as De,
-  lamps as Kn,
-  layers as au,
-  lumensOf as lu,
-  normal as Ka,
-  output as ru,
-  percent as Wn,
-  positionOf as Fa,
-  selection as Ba,
-  signal as Ua,
-  spot as iu,
-  sub as Ha,
-  titleOf as Bn,
-  tool as _a,
-  toLevel as Na,
-  toTravel as su,
-  typeLevel as On,
-  up as uu,
-  Fade as cu,
-  Field as pu,
-  wantLevel as Da,
-  compass as Xa,
-  add as Ut,
+  lamps as Bn,
+  layers as bu,
+  lumensOf as vu,
+  normal as _o,
+  output as yu,
+  percent as Kn,
+  positionOf as Do,
+  selection as Xo,
+  signal as Yo,
+  spot as ku,
+  sub as Go,
+  titleOf as Un,
+  tool as zo,
+  toLevel as Oo,
+  toTravel as wu,
+  typeLevel as Wn,
+  up as xu,
+  Fade as Mu,
+  Field as Su,
+  wantLevel as Wo,
+  compass as jo,
+  add as _t,
   scale as Ge,
-  length as mu,
-  Range as du,
-  strokeLevel as Ga,
-  typeGroupLevel as hu,
-  useRef as fu
+  length as Cu,
+  Range as $u,
+  strokeLevel as Ko,
+  typeGroupLevel as Lu,
+  useRef as Tu
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as Xs,
-  digits as Aa,
-  edit as Ys,
-  fromHex as zs,
-  hex as js,
-  lamps as Ra,
-  mired as $e,
-  titleOf as Zs
+  chosenLamps as ru,
+  digits as Fo,
+  edit as iu,
+  fromHex as su,
+  hex as uu,
+  lamps as Ho,
+  mired as Le,
+  titleOf as cu
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as Bs, mired as Fn } from "./desk.js";
-function Us(e, t) {
-  let [n, o] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
+import { css as au, mired as Hn } from "./desk.js";
+function ou(e, t) {
+  let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
-    3.2404542 * n - 1.5371385 - 0.4985314 * o,
-    -0.969266 * n + 1.8760108 + 0.041556 * o,
-    0.0556434 * n - 0.2040259 + 1.0572252 * o
+    3.2404542 * n - 1.5371385 - 0.4985314 * a,
+    -0.969266 * n + 1.8760108 + 0.041556 * a,
+    0.0556434 * n - 0.2040259 + 1.0572252 * a
   ].map((l) => Math.max(0, l));
 }
-function _s(e) {
-  let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, o = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
-  return [n, o];
+function lu(e) {
+  let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
+  return [n, a];
 }
-function Ia(e, t, n = 9) {
-  return `linear-gradient(to right, ${Array.from({ length: n }, (a, l) => {
-    let r = Fn(e) + (Fn(t) - Fn(e)) * l / (n - 1);
-    return Bs(Us(..._s(1e6 / r)));
+function Ro(e, t, n = 9) {
+  return `linear-gradient(to right, ${Array.from({ length: n }, (o, l) => {
+    let r = Hn(e) + (Hn(t) - Hn(e)) * l / (n - 1);
+    return au(ou(...lu(1e6 / r)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
-import { Fragment as Nn, jsx as D, jsxs as he } from "./desk.js";
-var at = 1800, Dn = 1e4, Qs = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], Js = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], eu = Ia(at, Dn), Hn = (e, t) => ({
-  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Ra.get(n).color) }]))
-}), tu = (e) => {
-  let t = 1e6 / ($e(at) + ($e(Dn) - $e(at)) * e);
+import { Fragment as Dn, jsx as D, jsxs as fe } from "./desk.js";
+var ot = 1800, Gn = 1e4, pu = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], mu = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], du = Ro(ot, Gn), Nn = (e, t) => ({
+  lamps: Object.fromEntries(e.map((n) => [n, { color: t(Ho.get(n).color) }]))
+}), hu = (e) => {
+  let t = 1e6 / (Le(ot) + (Le(Gn) - Le(ot)) * e);
   return Math.round(t / 10) * 10;
-}, nu = (e) => ($e(e) - $e(at)) / ($e(Dn) - $e(at));
-function qa() {
-  let e = Xs.value, t = e.map((r) => Ra.get(r)?.color).filter((r) => r !== void 0);
+}, fu = (e) => (Le(e) - Le(ot)) / (Le(Gn) - Le(ot));
+function No() {
+  let e = ru.value, t = e.map((r) => Ho.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = K(t.map((r) => r.mode)), o = t[0], a = Zs(e), l = (r, s) => Ys(`${a}: ${r}`, Hn(e, s));
-  return he(Nn, { children: [
-    he("div", { class: "line", children: [
+  let n = B(t.map((r) => r.mode)), a = t[0], o = cu(e), l = (r, s) => iu(`${o}: ${r}`, Nn(e, s));
+  return fe(Dn, { children: [
+    fe("div", { class: "line", children: [
       D("span", { children: "Colour" }),
-      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: Js.map(([r, s]) => D("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
+      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: mu.map(([r, s]) => D("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
     ] }),
-    n === "kelvin" && he(Nn, { children: [
-      he("div", { class: "line slide", children: [
+    n === "kelvin" && fe(Dn, { children: [
+      fe("div", { class: "line slide", children: [
         D("span", { children: "White" }),
         D(
-          qe,
+          Re,
           {
             label: "Colour temperature",
-            name: `${a}: white`,
+            name: `${o}: white`,
             class: "mired",
-            style: eu,
-            value: nu(o.kelvin),
-            text: `${Aa(o.kelvin)} kelvin`,
-            patch: (r) => Hn(e, () => ({ mode: "kelvin", kelvin: tu(r) }))
+            style: du,
+            value: fu(a.kelvin),
+            text: `${Fo(a.kelvin)} kelvin`,
+            patch: (r) => Nn(e, () => ({ mode: "kelvin", kelvin: hu(r) }))
           }
         )
       ] }),
       D(
-        P,
+        V,
         {
           label: "",
           name: "Colour temperature, typed",
           quantity: "kelvin",
-          value: K(t.map((r) => r.kelvin)),
+          value: B(t.map((r) => r.kelvin)),
           step: 50,
           set: (r) => l("white", (s) => ({ mode: "kelvin", kelvin: r(s.kelvin) }))
         }
       ),
-      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: Qs.map(([r, s]) => D("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
-      he("div", { class: "line slide", children: [
+      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: pu.map(([r, s]) => D("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
+      fe("div", { class: "line slide", children: [
         D("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         D(
-          qe,
+          Re,
           {
             label: "Tint, magenta to green",
-            name: `${a}: tint`,
+            name: `${o}: tint`,
             class: "tints",
-            value: (o.tint + 20) / 40,
-            text: `${Aa(o.tint, 1)} thousandths`,
+            value: (a.tint + 20) / 40,
+            text: `${Fo(a.tint, 1)} thousandths`,
             notch: 0.025,
             reset: 0.5,
-            patch: (r) => Hn(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
+            patch: (r) => Nn(e, () => ({ tint: Math.round((r * 40 - 20) * 2) / 2 }))
           }
         )
       ] }),
-      D(P, { label: "", name: "Tint, typed", quantity: "number", value: K(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
+      D(V, { label: "", name: "Tint, typed", quantity: "number", value: B(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
     ] }),
-    n === "rgb" && he(Nn, { children: [
-      he("label", { class: "line", children: [
+    n === "rgb" && fe(Dn, { children: [
+      fe("label", { class: "line", children: [
         D("span", { children: "Colour" }),
-        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: js(o.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: zs(r.currentTarget.value) })) })
+        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: uu(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: su(r.currentTarget.value) })) })
       ] }),
       D(
         Q,
@@ -1217,21 +1338,21 @@ function qa() {
           names: ["R", "G", "B"],
           quantity: "number",
           step: 0.01,
-          value: o.rgb,
-          set: (r, s) => l("colour", (p) => ({ rgb: p.rgb.map((i, m) => m === r ? Math.max(0, s(i)) : i) }))
+          value: a.rgb,
+          set: (r, s) => l("colour", (c) => ({ rgb: c.rgb.map((i, p) => p === r ? Math.max(0, s(i)) : i) }))
         }
       )
     ] }),
-    n === "xy" && he("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
+    n === "xy" && fe("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
       D("span", { children: "x, y" }),
       D("span", { class: "triple", children: [0, 1].map((r) => D(
-        P,
+        V,
         {
           label: "xy"[r],
           quantity: "number",
           step: 1e-3,
-          value: K(t.map((s) => s.xy[r])),
-          set: (s) => l("chromaticity", (p) => ({ xy: p.xy.map((i, m) => m === r ? Math.max(0.01, Math.min(0.9, s(i))) : i) }))
+          value: B(t.map((s) => s.xy[r])),
+          set: (s) => l("chromaticity", (c) => ({ xy: c.xy.map((i, p) => p === r ? Math.max(0.01, Math.min(0.9, s(i))) : i) }))
         },
         r
       )) })
@@ -1241,20 +1362,20 @@ function qa() {
 }
 
 // src/later/lamp.tsx
-import { Fragment as Un, jsx as y, jsxs as G } from "./desk.js";
-var Ne = Ua(1), Wt = Ua([1, 0, 0]), gu = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], _t = 180 / Math.PI;
-function Oa(e, t) {
-  let { right: n, ahead: o } = Xa(t), a = -Gn(e, t);
-  return [Math.atan2(Gn(e, n), Gn(e, o)) * _t, Math.asin(Math.max(-1, Math.min(1, a))) * _t];
+import { Fragment as _n, jsx as y, jsxs as G } from "./desk.js";
+var Ne = Yo(1), Kt = Yo([1, 0, 0]), Pu = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Xt = 180 / Math.PI;
+function Bo(e, t) {
+  let { right: n, ahead: a } = jo(t), o = -On(e, t);
+  return [Math.atan2(On(e, n), On(e, a)) * Xt, Math.asin(Math.max(-1, Math.min(1, o))) * Xt];
 }
-function bu(e, t, n) {
-  let { right: o, ahead: a } = Xa(n), [l, r] = [e / _t, t / _t], s = Ut(Ge(o, Math.sin(l)), Ge(a, Math.cos(l)));
-  return Ka(Ut(Ge(s, Math.cos(r)), Ge(n, -Math.sin(r))));
+function Vu(e, t, n) {
+  let { right: a, ahead: o } = jo(n), [l, r] = [e / Xt, t / Xt], s = _t(Ge(a, Math.sin(l)), Ge(o, Math.cos(l)));
+  return _o(_t(Ge(s, Math.cos(r)), Ge(n, -Math.sin(r))));
 }
-function vu({ ids: e, all: t }) {
-  let n = t.some((a) => a.place?.direction), o = Ba.value?.kind === "group";
+function Eu({ ids: e, all: t }) {
+  let n = t.some((o) => o.place?.direction), a = Xo.value?.kind === "group";
   return G("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
-    G("button", { "aria-pressed": _a.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => oe("aim"), children: [
+    G("button", { "aria-pressed": zo.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => oe("aim"), children: [
       y(De, { name: "aim" }),
       "Aim"
     ] }),
@@ -1263,132 +1384,132 @@ function vu({ ids: e, all: t }) {
     y("button", { class: "icon", "aria-label": "Frame", title: "Frame (F)", onClick: () => oe("frame"), children: y(De, { name: "frame" }) }),
     y("span", { class: "gap" }),
     $t() === null && y("button", { title: "Group (Ctrl+G): one master for all of them", onClick: () => oe("group"), children: "Group" }),
-    Lt() === null && y("button", { title: o ? "Dissolve the group (Ctrl+Shift+G): its lamps stay" : "Take out of the group (Ctrl+Shift+G)", onClick: () => oe("ungroup"), children: o ? "Dissolve" : "Take out" }),
-    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((a) => a.parked), onClick: () => oe("park"), children: "Park" }),
-    y("button", { class: "icon", "aria-label": `Remove ${Bn(e)}`, title: "Remove (Del)", onClick: () => oe("remove"), children: y(De, { name: "bin" }) })
+    Lt() === null && y("button", { title: a ? "Dissolve the group (Ctrl+Shift+G): its lamps stay" : "Take out of the group (Ctrl+Shift+G)", onClick: () => oe("ungroup"), children: a ? "Dissolve" : "Take out" }),
+    y("button", { title: "Off, and not traced (Shift+O)", "aria-pressed": t.every((o) => o.parked), onClick: () => oe("park"), children: "Park" }),
+    y("button", { class: "icon", "aria-label": `Remove ${Un(e)}`, title: "Remove (Del)", onClick: () => oe("remove"), children: y(De, { name: "bin" }) })
   ] });
 }
-function yu({ ids: e, all: t }) {
-  let n = K(t.map((r) => r.level)), o = lu(e), a = t.every((r) => r.free), l = e[e.length - 1];
-  return G(A, { title: "Light", note: a ? "re-mix" : "re-trace", children: [
+function Iu({ ids: e, all: t }) {
+  let n = B(t.map((r) => r.level)), a = vu(e), o = t.every((r) => r.free), l = e[e.length - 1];
+  return G(A, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
     G("div", { class: "line slide", children: [
       y("span", { children: "Level" }),
-      y(ku, { id: l })
+      y(Au, { id: l })
     ] }),
     G("label", { class: "line", children: [
       y("span", {}),
       y(
-        pu,
+        Su,
         {
           label: "Level of the selection",
           quantity: "level",
           value: n,
-          flux: K(t.map((r) => r.flux)) ?? void 0,
+          flux: B(t.map((r) => r.flux)) ?? void 0,
           step: 0.01,
-          set: (r) => On(e, r),
-          open: Da.value,
-          opened: () => Da.value = "",
+          set: (r) => Wn(e, r),
+          open: Wo.value,
+          opened: () => Wo.value = "",
           id: "level"
         }
       )
     ] }),
     y(
-      P,
+      V,
       {
         label: "Flux",
         quantity: "flux",
         value: e.length === 1 ? t[0].flux * t[0].level : null,
-        set: (r) => On(e, (s, p) => r(s * p) / p)
+        set: (r) => Wn(e, (s, c) => r(s * c) / c)
       }
     ),
     G("div", { class: "line", children: [
       y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: gu.map(([r, s]) => y("button", { "aria-label": `${s} stop`, onClick: () => On(e, (p) => Math.min(1e3, p * 2 ** r)), children: s }, s)) })
+      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: Pu.map(([r, s]) => y("button", { "aria-label": `${s} stop`, onClick: () => Wn(e, (c) => Math.min(1e3, c * 2 ** r)), children: s }, s)) })
     ] }),
     G("p", { class: "sum", children: [
-      Wa(o, "flux"),
+      Uo(a, "flux"),
       " now",
       e.length > 1 ? `, all ${e.length} together` : "",
-      t.length === 1 && t[0].group !== null && (Bt.get(t[0].group)?.level ?? 1) !== 1 && ` (${Wn(t[0].level)} % × ${Wn(Bt.get(t[0].group)?.level ?? 1)} % of the group)`
+      t.length === 1 && t[0].group !== null && (Ut.get(t[0].group)?.level ?? 1) !== 1 && ` (${Kn(t[0].level)} % × ${Kn(Ut.get(t[0].group)?.level ?? 1)} % of the group)`
     ] }),
-    y(qa, {})
+    y(No, {})
   ] });
 }
-function ku({ id: e }) {
-  let t = fu(null), n = Kn.get(e);
+function Au({ id: e }) {
+  let t = Tu(null), n = Bn.get(e);
   if (!n) return null;
-  let o = { kind: "lamp", id: e }, a = (l) => () => {
+  let a = { kind: "lamp", id: e }, o = (l) => () => {
     t.current?.[l](), t.current = null;
   };
   return y(
-    du,
+    $u,
     {
       label: "Level",
-      value: su(n.level),
-      text: `${Wn(n.level)} %, ${Wa(n.flux * ru(n), "flux")}`,
-      begin: () => t.current = new cu(o),
-      on: (l) => t.current ? t.current.to(Na(l)) : Ga(o, Na(l)),
-      end: a("end"),
-      cancel: a("cancel"),
-      reset: () => Ga(o, 1)
+      value: wu(n.level),
+      text: `${Kn(n.level)} %, ${Uo(n.flux * yu(n), "flux")}`,
+      begin: () => t.current = new Mu(a),
+      on: (l) => t.current ? t.current.to(Oo(l)) : Ko(a, Oo(l)),
+      end: o("end"),
+      cancel: o("cancel"),
+      reset: () => Ko(a, 1)
     }
   );
 }
 function lt(e, t, n) {
-  let o = {};
-  for (let a of e) {
-    let l = Kn.get(a), r = n(l.place ?? {}, l);
-    r && (o[a] = { place: r });
+  let a = {};
+  for (let o of e) {
+    let l = Bn.get(o), r = n(l.place ?? {}, l);
+    r && (a[o] = { place: r });
   }
-  Object.keys(o).length && Kt(`${Bn(e)}: ${t}`, { lamps: o });
+  Object.keys(a).length && Bt(`${Un(e)}: ${t}`, { lamps: a });
 }
-function wu({ ids: e, all: t }) {
-  let n = (a) => K(t.map((l) => l.place?.[a] ?? null)), o = (a) => t.some((l) => l.place?.[a] != null);
-  return !o("outer") && !o("radius") ? null : G(A, { title: "Beam", note: "re-trace", children: [
-    o("outer") && G(Un, { children: [
-      y(P, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (a) => lt(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, a(l.inner ?? l.outer))) }) }),
-      y(P, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (a) => lt(e, "beam", (l) => {
+function qu({ ids: e, all: t }) {
+  let n = (o) => B(t.map((l) => l.place?.[o] ?? null)), a = (o) => t.some((l) => l.place?.[o] != null);
+  return !a("outer") && !a("radius") ? null : G(A, { title: "Beam", note: "re-trace", children: [
+    a("outer") && G(_n, { children: [
+      y(V, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => lt(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
+      y(V, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => lt(e, "beam", (l) => {
         if (l.outer == null) return null;
-        let r = Math.max(0.2, Math.min(179, a(l.outer)));
+        let r = Math.max(0.2, Math.min(179, o(l.outer)));
         return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    o("radius") && y(P, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (a) => lt(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, a(l.radius)) }) })
+    a("radius") && y(V, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => lt(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
   ] });
 }
-function xu({ ids: e, all: t }) {
-  let n = t.filter((c) => Fa(c) !== null);
+function Ru({ ids: e, all: t }) {
+  let n = t.filter((u) => Do(u) !== null);
   if (!n.length) return null;
-  let o = n.map((c) => Fa(c)), a = (c, g) => K(g.map((u) => Math.round(u[c] * 1e4) / 1e4)), l = t.filter((c) => c.place?.direction), r = uu.value, s = l.map((c) => Oa(c.place?.direction, r).map((g) => Math.round(g * 10) / 10)), p = t.map((c) => c.place?.aim).filter((c) => !!c), i = (c, g) => {
-    let u = Je(e), h = {};
-    for (let [v, E] of u) {
+  let a = n.map((u) => Do(u)), o = (u, b) => B(b.map((d) => Math.round(d[u] * 1e4) / 1e4)), l = t.filter((u) => u.place?.direction), r = xu.value, s = l.map((u) => Bo(u.place?.direction, r).map((b) => Math.round(b * 10) / 10)), c = t.map((u) => u.place?.aim).filter((u) => !!u), i = (u, b) => {
+    let d = Je(e), m = {};
+    for (let [f, S] of d) {
       let H = [0, 0, 0];
-      H[c] = g(E[c]) - E[c], Object.assign(h, Qe([v], H, u).lamps);
+      H[u] = b(S[u]) - S[u], Object.assign(m, Qe([f], H, d).lamps);
     }
-    Kt(`Move ${Bn(e)}`, { lamps: h });
-  }, m = (c, g) => lt(e, c ? "tilt" : "pan", (u) => {
-    if (!u.direction) return null;
-    let h = Oa(u.direction, r);
-    h[c] = g(h[c]);
-    let v = bu(h[0], Math.max(-90, Math.min(90, h[1])), r), E = u.aim && u.position ? mu(Ha(u.aim, u.position)) : 0;
-    return { direction: v, ...E && u.position ? { aim: Ut(u.position, Ge(v, E)) } : {} };
+    Bt(`Move ${Un(e)}`, { lamps: m });
+  }, p = (u, b) => lt(e, u ? "tilt" : "pan", (d) => {
+    if (!d.direction) return null;
+    let m = Bo(d.direction, r);
+    m[u] = b(m[u]);
+    let f = Vu(m[0], Math.max(-90, Math.min(90, m[1])), r), S = d.aim && d.position ? Cu(Go(d.aim, d.position)) : 0;
+    return { direction: f, ...S && d.position ? { aim: _t(d.position, Ge(f, S)) } : {} };
   });
   return G(A, { title: "Place", note: "re-trace", children: [
-    y(Q, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((c) => a(c, o)), set: i }),
-    l.length > 0 && G(Un, { children: [
-      y(P, { label: "Pan", quantity: "angle", step: 1, value: K(s.map((c) => c[0])), set: (c) => m(0, c) }),
-      y(P, { label: "Tilt", quantity: "angle", step: 1, value: K(s.map((c) => c[1])), set: (c) => m(1, c) }),
+    y(Q, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((u) => o(u, a)), set: i }),
+    l.length > 0 && G(_n, { children: [
+      y(V, { label: "Pan", quantity: "angle", step: 1, value: B(s.map((u) => u[0])), set: (u) => p(0, u) }),
+      y(V, { label: "Tilt", quantity: "angle", step: 1, value: B(s.map((u) => u[1])), set: (u) => p(1, u) }),
       y(
         Q,
         {
           label: "Aims at",
           quantity: "length",
           step: 0.01,
-          value: p.length ? [0, 1, 2].map((c) => a(c, p)) : [NaN, NaN, NaN],
-          set: (c, g) => lt(e, "aim", (u) => {
-            if (!u.direction || !u.position) return null;
-            let h = ce(u.aim ?? Ut(u.position, Ge(u.direction, 2)), c, g);
-            return { aim: h, direction: Ka(Ha(h, u.position)) };
+          value: c.length ? [0, 1, 2].map((u) => o(u, c)) : [NaN, NaN, NaN],
+          set: (u, b) => lt(e, "aim", (d) => {
+            if (!d.direction || !d.position) return null;
+            let m = ce(d.aim ?? _t(d.position, Ge(d.direction, 2)), u, b);
+            return { aim: m, direction: _o(Go(m, d.position)) };
           })
         }
       )
@@ -1396,42 +1517,42 @@ function xu({ ids: e, all: t }) {
     G("div", { class: "line", children: [
       y("span", { children: "Handles" }),
       G("div", { class: "segments", role: "group", "aria-label": "Handles", children: [
-        y("button", { "aria-pressed": Ot.value === "move", onClick: () => Ot.value = "move", children: "Move" }),
-        y("button", { "aria-pressed": Ot.value === "turn", onClick: () => Ot.value = "turn", children: "Turn" })
+        y("button", { "aria-pressed": Wt.value === "move", onClick: () => Wt.value = "move", children: "Move" }),
+        y("button", { "aria-pressed": Wt.value === "turn", onClick: () => Wt.value = "turn", children: "Turn" })
       ] })
     ] }),
-    y("button", { class: "plain full", "aria-pressed": _a.value === "place", onClick: () => oe("place"), children: "Put on a surface by pointing" }),
-    l.length > 0 && iu.value && y("button", { class: "plain full", onClick: () => oe("aim-here"), children: "Aim at the last point" })
+    y("button", { class: "plain full", "aria-pressed": zo.value === "place", onClick: () => oe("place"), children: "Put on a surface by pointing" }),
+    l.length > 0 && ku.value && y("button", { class: "plain full", onClick: () => oe("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function Mu({ ids: e, all: t }) {
+function Fu({ ids: e, all: t }) {
   return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : G(A, { title: "Copies along a line", children: [
-    y(P, { label: "How many", quantity: "number", step: 1, value: Ne.value, set: (n) => Ne.value = Math.max(1, Math.min(100, Math.round(n(Ne.value)))) }),
-    y(Q, { label: "Step", quantity: "length", step: 0.05, value: Wt.value, set: (n, o) => Wt.value = ce(Wt.value, n, o) }),
-    G("button", { class: "plain full", onClick: () => Mt(e, Ne.value, Wt.value), children: [
+    y(V, { label: "How many", quantity: "number", step: 1, value: Ne.value, set: (n) => Ne.value = Math.max(1, Math.min(100, Math.round(n(Ne.value)))) }),
+    y(Q, { label: "Step", quantity: "length", step: 0.05, value: Kt.value, set: (n, a) => Kt.value = ce(Kt.value, n, a) }),
+    G("button", { class: "plain full", onClick: () => Mt(e, Ne.value, Kt.value), children: [
       y(De, { name: "copy" }),
       Ne.value === 1 ? "One copy" : `${Ne.value} copies`
     ] })
   ] });
 }
-function Ya() {
-  let e = ou.value, t = e.map((s) => Kn.get(s)).filter((s) => !!s);
+function Zo() {
+  let e = gu.value, t = e.map((s) => Bn.get(s)).filter((s) => !!s);
   if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, o = n && Bt.get(n.group), a = Ba.value, l = a?.kind === "group" && a.ids.length === 1 ? Bt.get(a.ids[0]) : void 0, r = n?.layer != null ? au.value[n.layer] : void 0;
-  return G(Un, { children: [
-    y("header", { class: "panel-head", children: l && a ? y(Fe, { label: "Name of the group", value: l.name, set: (s) => Kt(`Rename ${l.name}`, { groups: { [a.ids[0]]: { name: s } } }) }) : n ? y(Fe, { label: "Name of the lamp", value: n.name, set: (s) => Kt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: s } } }) }) : G("h2", { children: [
+  let n = t.length === 1 ? t[0] : null, a = n && Ut.get(n.group), o = Xo.value, l = o?.kind === "group" && o.ids.length === 1 ? Ut.get(o.ids[0]) : void 0, r = n?.layer != null ? bu.value[n.layer] : void 0;
+  return G(_n, { children: [
+    y("header", { class: "panel-head", children: l && o ? y(Fe, { label: "Name of the group", value: l.name, set: (s) => Bt(`Rename ${l.name}`, { groups: { [o.ids[0]]: { name: s } } }) }) : n ? y(Fe, { label: "Name of the lamp", value: n.name, set: (s) => Bt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: s } } }) }) : G("h2", { children: [
       t.length,
       " lamps"
     ] }) }),
-    y("p", { class: "crumbs", children: n ? `${n.kind}${o && o.lamps.length > 1 ? ` ▸ ${o.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((s) => s.on).length} of ${t.length} on` }),
+    y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((s) => s.on).length} of ${t.length} on` }),
     G("div", { class: "scroll", children: [
-      y(vu, { ids: e, all: t }),
-      l && a && y(A, { title: "Group", note: "re-mix", children: y(P, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => hu(a.ids[0], s) }) }),
-      y(yu, { ids: e, all: t }),
+      y(Eu, { ids: e, all: t }),
+      l && o && y(A, { title: "Group", note: "re-mix", children: y(V, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => Lu(o.ids[0], s) }) }),
+      y(Iu, { ids: e, all: t }),
       y(A, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      y(wu, { ids: e, all: t }),
-      y(xu, { ids: e, all: t }),
-      y(Mu, { ids: e, all: t }),
+      y(qu, { ids: e, all: t }),
+      y(Ru, { ids: e, all: t }),
+      y(Fu, { ids: e, all: t }),
       y("p", { class: "cost", children: t.every((s) => s.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
@@ -1439,142 +1560,142 @@ function Ya() {
 
 // src/later/scene.tsx
 import {
-  act as _n,
-  candles as Xt,
-  command as Su,
-  digits as zt,
-  edit as za,
-  Field as ja,
-  filterOf as el,
-  go as Cu,
-  history as $u,
-  hovered as Za,
-  Icon as jt,
-  layers as Lu,
-  lookOnly as Qa,
+  act as Xn,
+  candles as Yt,
+  command as Hu,
+  digits as jt,
+  edit as Qo,
+  Field as Jo,
+  filterOf as al,
+  go as Nu,
+  history as Du,
+  hovered as el,
+  Icon as Zt,
+  layers as Gu,
+  lookOnly as tl,
   maintenance as Oe,
-  materials as Tu,
-  percent as Pu,
-  scene as Vu,
-  select as tl,
-  signal as Eu,
-  singleKeys as Ja,
-  sub as Iu,
-  things as Au,
-  travel as Yt,
-  Virtual as nl,
-  workPlane as Xn
+  materials as Ou,
+  percent as Wu,
+  scene as Ku,
+  select as ol,
+  signal as Bu,
+  singleKeys as nl,
+  sub as Uu,
+  things as _u,
+  travel as zt,
+  Virtual as ll,
+  workPlane as Yn
 } from "./desk.js";
-import { Fragment as Ru, jsx as M, jsxs as V } from "./desk.js";
-function ol() {
-  let e = Vu.value;
+import { Fragment as Xu, jsx as M, jsxs as E } from "./desk.js";
+function rl() {
+  let e = Ku.value;
   if (!e) return null;
-  let t = Iu(e.bounds[1], e.bounds[0]);
-  return V(Ru, { children: [
-    V(A, { title: "Room", children: [
-      V("p", { children: [
-        t.map((n) => zt(n, 2)).join(" × "),
+  let t = Uu(e.bounds[1], e.bounds[0]);
+  return E(Xu, { children: [
+    E(A, { title: "Room", children: [
+      E("p", { children: [
+        t.map((n) => jt(n, 2)).join(" × "),
         " m",
-        e.triangles ? `, ${zt(e.triangles)} triangles` : ""
+        e.triangles ? `, ${jt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, o) => M("li", { children: M("button", { onClick: () => Cu(n, n.name ?? "camera"), children: n.name || `Camera ${o + 1}` }) }, o)) }),
-      e.warnings.length > 0 && V("details", { children: [
-        V("summary", { children: [
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Nu(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.warnings.length > 0 && E("details", { children: [
+        E("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
           " on the file"
         ] }),
         M("ul", { class: "remarks", children: e.warnings.map((n) => M("li", { children: n }, n)) })
       ] })
     ] }),
-    V(A, { title: "Figures", children: [
-      V("label", { class: "line", children: [
+    E(A, { title: "Figures", children: [
+      E("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
-        M(ja, { label: "Maintenance factor", quantity: "share", value: Oe.value, step: 0.05, set: (n) => Oe.value = Math.max(0.1, Math.min(1, n(Oe.value))) })
+        M(Jo, { label: "Maintenance factor", quantity: "share", value: Oe.value, step: 0.05, set: (n) => Oe.value = Math.max(0.1, Math.min(1, n(Oe.value))) })
       ] }),
-      V("p", { class: "quiet", children: [
+      E("p", { class: "quiet", children: [
         Oe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
         Oe.value === 1 && M("button", { class: "plain", onClick: () => Oe.value = 0.8, children: "0.80" })
       ] }),
-      V("label", { class: "line", children: [
+      E("label", { class: "line", children: [
         M("span", { children: "Work plane" }),
-        M(ja, { label: "Work plane above the floor", quantity: "length", value: Xn.value, step: 0.05, set: (n) => Xn.value = Math.max(0, Math.min(3, n(Xn.value))) })
+        M(Jo, { label: "Work plane above the floor", quantity: "length", value: Yn.value, step: 0.05, set: (n) => Yn.value = Math.max(0, Math.min(3, n(Yn.value))) })
       ] }),
-      V("div", { class: "line", children: [
+      E("div", { class: "line", children: [
         M("span", { children: "Unit" }),
-        V("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
-          M("button", { "aria-pressed": Xt.value === "lx", onClick: () => Xt.value = "lx", children: "lx, cd/m²" }),
-          M("button", { "aria-pressed": Xt.value === "fc", onClick: () => Xt.value = "fc", children: "fc, fL" })
+        E("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
+          M("button", { "aria-pressed": Yt.value === "lx", onClick: () => Yt.value = "lx", children: "lx, cd/m²" }),
+          M("button", { "aria-pressed": Yt.value === "fc", onClick: () => Yt.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    M(A, { title: "Layers of light", children: M("ul", { class: "layers", children: Lu.value.map((n, o) => V("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(A, { title: "Layers of light", children: M("ul", { class: "layers", children: Gu.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
-      M("span", { children: n.name || `layer ${o + 1}` }),
-      M("small", { children: n.held ? "held" : Pu(n.of ? n.batches / n.of : 0) + " %" })
-    ] }, o)) }) }),
-    V(A, { title: "Hands", children: [
-      V("div", { class: "line", children: [
+      M("span", { children: n.name || `layer ${a + 1}` }),
+      M("small", { children: n.held ? "held" : Wu(n.of ? n.batches / n.of : 0) + " %" })
+    ] }, a)) }) }),
+    E(A, { title: "Hands", children: [
+      E("div", { class: "line", children: [
         M("span", { children: "Faders" }),
-        V("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
-          M("button", { "aria-pressed": Yt.value === "square", onClick: () => Yt.value = "square", children: "Square law" }),
-          M("button", { "aria-pressed": Yt.value === "linear", onClick: () => Yt.value = "linear", children: "Even" })
+        E("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
+          M("button", { "aria-pressed": zt.value === "square", onClick: () => zt.value = "square", children: "Square law" }),
+          M("button", { "aria-pressed": zt.value === "linear", onClick: () => zt.value = "linear", children: "Even" })
         ] })
       ] }),
-      V("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Ja.value, onChange: (n) => Ja.value = n.currentTarget.checked }),
+      E("label", { class: "check", children: [
+        M("input", { type: "checkbox", checked: nl.value, onChange: (n) => nl.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
-      V("label", { class: "check", children: [
-        M("input", { type: "checkbox", checked: Qa.value, onChange: (n) => Qa.value = n.currentTarget.checked }),
+      E("label", { class: "check", children: [
+        M("input", { type: "checkbox", checked: tl.value, onChange: (n) => tl.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var Zt = Eu("");
-function al({ label: e }) {
-  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Zt.value, onInput: (t) => Zt.value = t.currentTarget.value }) });
+var Qt = Bu("");
+function il({ label: e }) {
+  return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Qt.value, onInput: (t) => Qt.value = t.currentTarget.value }) });
 }
-function ll() {
-  let e = el(Au, Zt.value);
-  return V("div", { class: "listing", children: [
-    M(al, { label: "Filter things" }),
+function sl() {
+  let e = al(_u, Qt.value);
+  return E("div", { class: "listing", children: [
+    M(il, { label: "Filter things" }),
     M(
-      nl,
+      ll,
       {
         label: "Things",
         count: e.length,
         height: 28,
         row: (t) => {
-          let [n, o] = e[t];
-          return V("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => Za.value = { kind: "thing", id: n }, onPointerLeave: () => Za.value = null, children: [
-            M("button", { class: "icon", "aria-pressed": !o.hidden, "aria-label": `${o.name} shown`, onClick: () => za(`${o.hidden ? "Show" : "Hide"} ${o.name}`, { things: { [n]: { hidden: !o.hidden } } }), children: M(jt, { name: o.hidden ? "eye-off" : "eye" }) }),
-            M("button", { class: "row-name", onClick: () => tl("thing", n), children: M("span", { children: o.name }) }),
-            M("button", { class: "icon", "aria-pressed": o.locked, "aria-label": `${o.name} locked`, onClick: () => za(`${o.locked ? "Unlock" : "Lock"} ${o.name}`, { things: { [n]: { locked: !o.locked } } }), children: M(jt, { name: o.locked ? "lock" : "unlock" }) })
+          let [n, a] = e[t];
+          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => el.value = { kind: "thing", id: n }, onPointerLeave: () => el.value = null, children: [
+            M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Qo(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Zt, { name: a.hidden ? "eye-off" : "eye" }) }),
+            M("button", { class: "row-name", onClick: () => ol("thing", n), children: M("span", { children: a.name }) }),
+            M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Qo(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Zt, { name: a.locked ? "lock" : "unlock" }) })
           ] }, n);
         }
       }
     )
   ] });
 }
-function rl() {
-  let e = el(Tu, Zt.value);
-  return V("div", { class: "listing", children: [
-    M(al, { label: "Filter materials" }),
+function ul() {
+  let e = al(Ou, Qt.value);
+  return E("div", { class: "listing", children: [
+    M(il, { label: "Filter materials" }),
     M(
-      nl,
+      ll,
       {
         label: "Materials",
         count: e.length,
         height: 28,
         row: (t) => {
-          let [n, o] = e[t];
-          return V("div", { class: "sheet-row material", role: "listitem", children: [
-            M("button", { class: "row-name", onClick: () => tl("material", n), children: M("span", { children: o.name }) }),
-            V("small", { children: [
-              o.kind,
-              o.reflectance != null ? ` · ρ ${zt(o.reflectance, 2)}` : ""
+          let [n, a] = e[t];
+          return E("div", { class: "sheet-row material", role: "listitem", children: [
+            M("button", { class: "row-name", onClick: () => ol("material", n), children: M("span", { children: a.name }) }),
+            E("small", { children: [
+              a.kind,
+              a.reflectance != null ? ` · ρ ${jt(a.reflectance, 2)}` : ""
             ] })
           ] }, n);
         }
@@ -1582,381 +1703,265 @@ function rl() {
     )
   ] });
 }
-function il() {
-  let e = $u.value;
-  return V(A, { title: "History", children: [
-    V("p", { children: [
-      e.steps === 1 ? "One step" : `${zt(e.steps)} steps`,
+function cl() {
+  let e = Du.value;
+  return E(A, { title: "History", children: [
+    E("p", { children: [
+      e.steps === 1 ? "One step" : `${jt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    V("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => _n("undo"), children: [
-      M(jt, { name: "undo" }),
+    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Xn("undo"), children: [
+      M(Zt, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    V("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => _n("redo"), children: [
-      M(jt, { name: "redo" }),
+    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Xn("redo"), children: [
+      M(Zt, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
-    M("button", { class: "plain full", onClick: () => _n("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => Su({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => Xn("save"), children: "Save a version with a name…" }),
+    M("button", { class: "plain full", onClick: () => Hu({ do: "save" }), children: "Save now" })
   ] });
 }
 
 // src/later/thing.tsx
 import {
-  digits as Yn,
-  edit as pl,
-  fromHex as qu,
-  hex as Fu,
-  Icon as sl,
-  materials as ml,
-  middle as ul,
-  select as dl,
-  selection as hl,
-  things as zn
+  digits as zn,
+  edit as hl,
+  fromHex as Yu,
+  hex as zu,
+  Icon as pl,
+  materials as fl,
+  middle as ml,
+  select as gl,
+  selection as bl,
+  things as jn
 } from "./desk.js";
-import { Fragment as Zn, jsx as L, jsxs as j } from "./desk.js";
-var jn = 180 / Math.PI;
-function cl(e, t) {
-  return e ? 2 * Math.atan2(e[t], e[3]) * jn : 0;
+import { Fragment as Qn, jsx as T, jsxs as j } from "./desk.js";
+var Zn = 180 / Math.PI;
+function dl(e, t) {
+  return e ? 2 * Math.atan2(e[t], e[3]) * Zn : 0;
 }
-function Hu(e, t) {
-  let n = [0, 0, 0, Math.cos(t / jn / 2)];
-  return n[e] = Math.sin(t / jn / 2), n;
+function ju(e, t) {
+  let n = [0, 0, 0, Math.cos(t / Zn / 2)];
+  return n[e] = Math.sin(t / Zn / 2), n;
 }
-function fl() {
-  let e = (hl.value?.ids ?? []).filter((p) => zn.get(p)), t = e.map((p) => zn.get(p));
-  if (!t.length) return L("p", { class: "quiet empty", children: "This thing is gone." });
-  let n = t[0], o = e.length === 1 ? n.name : `${e.length} things`, a = t.some((p) => p.locked), l = (p, i) => pl(`${o}: ${p}`, { things: Object.fromEntries(e.map((m, c) => [m, i(t[c])])) }), r = t.map((p) => p.place?.position ?? (p.box ? ul(p.box) : [0, 0, 0])), s = n.box ? [0, 1, 2].map((p) => n.box[1][p] - n.box[0][p]) : null;
-  return j(Zn, { children: [
-    L("header", { class: "panel-head", children: L("h2", { children: o }) }),
+function vl() {
+  let e = (bl.value?.ids ?? []).filter((c) => jn.get(c)), t = e.map((c) => jn.get(c));
+  if (!t.length) return T("p", { class: "quiet empty", children: "This thing is gone." });
+  let n = t[0], a = e.length === 1 ? n.name : `${e.length} things`, o = t.some((c) => c.locked), l = (c, i) => hl(`${a}: ${c}`, { things: Object.fromEntries(e.map((p, u) => [p, i(t[u])])) }), r = t.map((c) => c.place?.position ?? (c.box ? ml(c.box) : [0, 0, 0])), s = n.box ? [0, 1, 2].map((c) => n.box[1][c] - n.box[0][c]) : null;
+  return j(Qn, { children: [
+    T("header", { class: "panel-head", children: T("h2", { children: a }) }),
     s && j("p", { class: "crumbs", children: [
-      s.map((p) => Yn(p, 2)).join(" × "),
+      s.map((c) => zn(c, 2)).join(" × "),
       " m"
     ] }),
     j("div", { class: "scroll", children: [
       j("div", { class: "tools", role: "toolbar", "aria-label": "Thing", children: [
-        j("button", { "aria-pressed": t.every((p) => p.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
-          L(sl, { name: n.hidden ? "eye-off" : "eye" }),
+        j("button", { "aria-pressed": t.every((c) => c.hidden), onClick: () => l(n.hidden ? "show" : "hide", () => ({ hidden: !n.hidden })), children: [
+          T(pl, { name: n.hidden ? "eye-off" : "eye" }),
           n.hidden ? "Hidden" : "Hide"
         ] }),
-        j("button", { "aria-pressed": a, onClick: () => l(a ? "unlock" : "lock", () => ({ locked: !a })), children: [
-          L(sl, { name: a ? "lock" : "unlock" }),
-          a ? "Locked" : "Lock"
+        j("button", { "aria-pressed": o, onClick: () => l(o ? "unlock" : "lock", () => ({ locked: !o })), children: [
+          T(pl, { name: o ? "lock" : "unlock" }),
+          o ? "Locked" : "Lock"
         ] })
       ] }),
       j(A, { title: "Place", note: "re-trace", children: [
-        a && L("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
-        L(
+        o && T("p", { class: "quiet", children: "Locked, as all that the file brings. Unlock it to move it." }),
+        T(
           Q,
           {
             label: "Position",
             quantity: "length",
             step: 0.01,
-            disabled: a,
-            value: [0, 1, 2].map((p) => K(r.map((i) => Math.round(i[p] * 1e4) / 1e4))),
-            set: (p, i) => l("move", (m) => ({ place: { position: ce(m.place?.position ?? ul(m.box), p, i) } }))
+            disabled: o,
+            value: [0, 1, 2].map((c) => B(r.map((i) => Math.round(i[c] * 1e4) / 1e4))),
+            set: (c, i) => l("move", (p) => ({ place: { position: ce(p.place?.position ?? ml(p.box), c, i) } }))
           }
         ),
-        [0, 1, 2].map((p) => L(
-          P,
+        [0, 1, 2].map((c) => T(
+          V,
           {
-            label: `Turn ${"XYZ"[p]}`,
+            label: `Turn ${"XYZ"[c]}`,
             quantity: "angle",
             step: 5,
-            disabled: a,
-            value: K(t.map((i) => Math.round(cl(i.place?.rotation, p) * 10) / 10)),
-            set: (i) => l("turn", (m) => ({ place: { rotation: Hu(p, i(cl(m.place?.rotation, p))) } }))
+            disabled: o,
+            value: B(t.map((i) => Math.round(dl(i.place?.rotation, c) * 10) / 10)),
+            set: (i) => l("turn", (p) => ({ place: { rotation: ju(c, i(dl(p.place?.rotation, c))) } }))
           },
-          p
+          c
         )),
-        L(
-          P,
+        T(
+          V,
           {
             label: "Scale",
             quantity: "number",
             step: 0.05,
-            disabled: a,
-            value: K(t.map((p) => p.place?.scale ?? 1)),
-            set: (p) => l("scale", (i) => ({ place: { scale: Math.max(1e-3, p(i.place?.scale ?? 1)) } }))
+            disabled: o,
+            value: B(t.map((c) => c.place?.scale ?? 1)),
+            set: (c) => l("scale", (i) => ({ place: { scale: Math.max(1e-3, c(i.place?.scale ?? 1)) } }))
           }
         )
       ] }),
-      L(A, { title: "Materials", children: L("ul", { class: "buttons", children: n.materials.map((p) => L("li", { children: L("button", { onClick: () => dl("material", p), children: ml.get(p)?.name ?? `material ${p}` }) }, p)) }) })
+      T(A, { title: "Materials", children: T("ul", { class: "buttons", children: n.materials.map((c) => T("li", { children: T("button", { onClick: () => gl("material", c), children: fl.get(c)?.name ?? `material ${c}` }) }, c)) }) })
     ] })
   ] });
 }
-function gl() {
-  let e = hl.value?.ids[0], t = ml.get(e);
-  if (!t) return L("p", { class: "quiet empty", children: "This material is gone." });
-  let n = (i, m) => pl(`${t.name}: ${i}`, { materials: { [e]: m } }), o = t.transmittance ? "transmittance" : "color", a = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((i) => 0.2126 * i[0] + 0.7152 * i[1] + 0.0722 * i[2])(a), s = (i) => a.map((m) => Math.max(0, Math.min(1, r > 1e-4 ? m / r * i : i))), p = (i, m) => t[m] != null && j(Zn, { children: [
+function yl() {
+  let e = bl.value?.ids[0], t = fl.get(e);
+  if (!t) return T("p", { class: "quiet empty", children: "This material is gone." });
+  let n = (i, p) => hl(`${t.name}: ${i}`, { materials: { [e]: p } }), a = t.transmittance ? "transmittance" : "color", o = t.transmittance ?? t.color ?? [0.5, 0.5, 0.5], r = ((i) => 0.2126 * i[0] + 0.7152 * i[1] + 0.0722 * i[2])(o), s = (i) => o.map((p) => Math.max(0, Math.min(1, r > 1e-4 ? p / r * i : i))), c = (i, p) => t[p] != null && j(Qn, { children: [
     j("div", { class: "line slide", children: [
-      L("span", { children: i }),
-      L(qe, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[m], text: Yn(t[m], 2), patch: (c) => ({ materials: { [e]: { [m]: Math.round(c * 1e3) / 1e3 } } }) })
+      T("span", { children: i }),
+      T(Re, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[p], text: zn(t[p], 2), patch: (u) => ({ materials: { [e]: { [p]: Math.round(u * 1e3) / 1e3 } } }) })
     ] }),
-    L(P, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[m], set: (c) => n(i.toLowerCase(), { [m]: Math.max(0, Math.min(1, c(t[m]))) }) })
+    T(V, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[p], set: (u) => n(i.toLowerCase(), { [p]: Math.max(0, Math.min(1, u(t[p]))) }) })
   ] });
-  return j(Zn, { children: [
-    L("header", { class: "panel-head", children: L("h2", { children: t.name }) }),
-    L("p", { class: "crumbs", children: t.kind }),
+  return j(Qn, { children: [
+    T("header", { class: "panel-head", children: T("h2", { children: t.name }) }),
+    T("p", { class: "crumbs", children: t.kind }),
     j("div", { class: "scroll", children: [
       j(A, { title: t.transmittance ? "What passes" : "What is sent back", note: "re-trace", children: [
         j("div", { class: "line slide", children: [
-          L("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
-          L(qe, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: Yn(r, 2), patch: (i) => ({ materials: { [e]: { [o]: s(Math.min(0.95, i)) } } }) })
+          T("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
+          T(Re, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: zn(r, 2), patch: (i) => ({ materials: { [e]: { [a]: s(Math.min(0.95, i)) } } }) })
         ] }),
-        L(P, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [o]: s(Math.min(0.98, i(r))) }) }),
+        T(V, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [a]: s(Math.min(0.98, i(r))) }) }),
         j("label", { class: "line", children: [
-          L("span", { children: "Colour" }),
-          L("input", { type: "color", class: "pick", "aria-label": "Colour", value: Fu(a), onChange: (i) => n("colour", { [o]: qu(i.currentTarget.value) }) })
+          T("span", { children: "Colour" }),
+          T("input", { type: "color", class: "pick", "aria-label": "Colour", value: zu(o), onChange: (i) => n("colour", { [a]: Yu(i.currentTarget.value) }) })
         ] }),
-        p("Roughness", "roughness"),
-        p("Gloss", "specular")
+        c("Roughness", "roughness"),
+        c("Gloss", "specular")
       ] }),
-      L(A, { title: "On", children: L("ul", { class: "buttons", children: zn.all().filter(([, i]) => i.materials.includes(e)).slice(0, 40).map(([i, m]) => L("li", { children: L("button", { onClick: () => dl("thing", i), children: m.name }) }, i)) }) })
+      T(A, { title: "On", children: T("ul", { class: "buttons", children: jn.all().filter(([, i]) => i.materials.includes(e)).slice(0, 40).map(([i, p]) => T("li", { children: T("button", { onClick: () => gl("thing", i), children: p.name }) }, i)) }) })
     ] })
   ] });
 }
 
 // src/later/inspector.tsx
-import { Fragment as vl, jsx as N, jsxs as Qt } from "./desk.js";
-var rt = ["Scene", "Things", "Materials", "History"], fe = Gu("Scene");
-function Ou() {
-  let e = { Scene: ol, Things: ll, Materials: rl, History: il }[fe.value];
-  return Qt(vl, { children: [
+import { Fragment as wl, jsx as N, jsxs as Jt } from "./desk.js";
+var rt = ["Scene", "Things", "Materials", "History"], ge = Ju("Scene");
+function ec() {
+  let e = { Scene: rl, Things: sl, Materials: ul, History: cl }[ge.value];
+  return Jt(wl, { children: [
     N("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
-      let o = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
-      o && (n.preventDefault(), n.stopPropagation(), fe.value = rt[(rt.indexOf(fe.value) + o + rt.length) % rt.length], document.getElementById(`tab-${fe.value}`)?.focus());
-    }, children: rt.map((n) => N("button", { id: `tab-${n}`, role: "tab", "aria-selected": fe.value === n, "aria-controls": "tab-panel", tabIndex: fe.value === n ? 0 : -1, onClick: () => fe.value = n, children: n }, n)) }),
-    N("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${fe.value}`, tabIndex: 0, children: N(e, {}) })
+      let a = { ArrowRight: 1, ArrowLeft: -1 }[n.key];
+      a && (n.preventDefault(), n.stopPropagation(), ge.value = rt[(rt.indexOf(ge.value) + a + rt.length) % rt.length], document.getElementById(`tab-${ge.value}`)?.focus());
+    }, children: rt.map((n) => N("button", { id: `tab-${n}`, role: "tab", "aria-selected": ge.value === n, "aria-controls": "tab-panel", tabIndex: ge.value === n ? 0 : -1, onClick: () => ge.value = n, children: n }, n)) }),
+    N("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: N(e, {}) })
   ] });
 }
-function Wu() {
-  let e = Du.value;
-  return e ? Qt(vl, { children: [
-    Qt("nav", { class: "chooser", "aria-label": "Selection", children: [
-      N("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => bl("previous"), children: N(Qn, { name: "back" }) }),
-      N("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => bl("next"), children: N(Qn, { name: "forth" }) }),
+function tc() {
+  let e = Qu.value;
+  return e ? Jt(wl, { children: [
+    Jt("nav", { class: "chooser", "aria-label": "Selection", children: [
+      N("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => kl("previous"), children: N(Jn, { name: "back" }) }),
+      N("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => kl("next"), children: N(Jn, { name: "forth" }) }),
       N("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
       N("span", { class: "gap" }),
-      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Nu, children: N(Qn, { name: "close" }) })
+      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Zu, children: N(Jn, { name: "close" }) })
     ] }),
-    Jn.value && N("p", { class: "penless", children: Jn.value }),
-    Qt("fieldset", { class: "editing", disabled: Jn.value !== null, children: [
-      (e.kind === "lamp" || e.kind === "group") && N(Ya, {}),
-      e.kind === "thing" && N(fl, {}),
-      e.kind === "material" && N(gl, {}),
-      e.kind === "meter" && N(Va, {}),
-      e.kind === "grid" && N(Ea, {})
+    ea.value && N("p", { class: "penless", children: ea.value }),
+    Jt("fieldset", { class: "editing", disabled: ea.value !== null, children: [
+      (e.kind === "lamp" || e.kind === "group") && N(Zo, {}),
+      e.kind === "thing" && N(vl, {}),
+      e.kind === "material" && N(yl, {}),
+      e.kind === "meter" && N(Ao, {}),
+      e.kind === "grid" && N(qo, {})
     ] })
-  ] }) : N(Ou, {});
-}
-
-// src/later/legend.tsx
-import { asked as Ku, candles as Bu, DEFAULT_FALSE as Uu, display as _u, Field as Xu, looks as Yu, show as kl, three as zu, useRef as ju } from "./desk.js";
-import { Fragment as ec, jsx as Y, jsxs as Le } from "./desk.js";
-var eo = [1, 2, 5];
-function Zu(e, t, n) {
-  let o = [];
-  if (n === "linear") {
-    let a = (t - e) / 5, l = 10 ** Math.floor(Math.log10(a)), r = l * (eo.find((s) => s * l >= a) ?? 10);
-    for (let s = Math.ceil(e / r) * r; s <= t * 1.0001; s += r) o.push(s);
-    return o;
-  }
-  for (let a = Math.floor(Math.log10(e)); a <= Math.ceil(Math.log10(t)); a++)
-    for (let l of eo) {
-      let r = l * 10 ** a;
-      r >= e * 0.999 && r <= t * 1.001 && o.push(r);
-    }
-  return o.length > 10 ? o.filter((a) => Math.abs(Math.log10(a) % 1) < 1e-6) : o;
-}
-function Qu(e, t) {
-  return t.scale === "linear" ? (e - t.low) / (t.high - t.low) : Math.log(e / t.low) / Math.log(t.high / t.low);
-}
-var ae = (e, t) => {
-  let n = Ku({ ...e, ...t });
-  n.against != null && (n = go(n)), n.scale === "log" && (n.low = Math.max(n.low, 1e-3)), n.high > n.low * 1.01 && kl({ false_color: n });
-};
-function yl(e, t) {
-  let n = Math.round(Math.log10(e) * 3) + t, o = (n % 3 + 3) % 3;
-  return eo[o] * 10 ** ((n - o) / 3);
-}
-function Ju() {
-  let e = _u.value.false_color, t = ju(null);
-  if (!e) return null;
-  let n = Bu.value === "fc", o = e.quantity === "difference", a = e.quantity !== "luminance", l = a ? n ? "fc" : "lx" : n ? "fL" : "cd/m²", r = n ? a ? 1 / 10.7639 : 0.2919 : 1, s = e.colors?.length ? `linear-gradient(to top, ${e.colors.join(", ")})` : void 0, p = e.ticks ?? Zu(e.low, e.high, e.scale).map((u) => [u, Qu(u, e)]), i = (u) => {
-    let h = String(Number(u.toPrecision(2)));
-    return o ? h.replace("-", "−").replace(/^(?=[1-9]|0\.)/, "+") : h;
-  }, m = (u, h, v) => o ? { high: yl(Math.abs(h), u === "low" ? -v : v) } : { [u]: yl(h, v) }, c = (u) => ({
-    onPointerDown: (h) => {
-      h.currentTarget.setPointerCapture(h.pointerId), t.current = { y: h.clientY, end: u, from: e[u] };
-    },
-    onPointerMove: (h) => {
-      let v = t.current;
-      v?.end === u && ae(e, m(u, v.from, Math.round((v.y - h.clientY) / 14)));
-    },
-    onPointerUp: () => t.current = null,
-    onPointerCancel: () => t.current = null,
-    onKeyDown: (h) => {
-      let v = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[h.key];
-      v && (h.preventDefault(), h.stopPropagation(), ae(e, m(u, e[u], v)));
-    }
-  }), g = ({ end: u }) => Le("div", { class: "end", children: [
-    Y(
-      "span",
-      {
-        class: "grip",
-        role: "slider",
-        tabIndex: 0,
-        "aria-label": u === "low" ? "Lower end of the legend" : "Upper end of the legend",
-        "aria-valuenow": e[u],
-        "aria-valuemin": o ? -1e6 : 1e-3,
-        "aria-valuemax": 1e6,
-        "aria-valuetext": `${zu(e[u] * r)} ${l}`,
-        ...c(u)
-      }
-    ),
-    o && u === "low" ? Y("output", { children: i(e.low * r) }) : Y(
-      Xu,
-      {
-        label: u === "low" ? "Lower end" : "Upper end",
-        quantity: "number",
-        value: Number((e[u] * r).toPrecision(3)),
-        set: (h) => ae(e, { [u]: h(e[u] * r) / r })
-      }
-    )
-  ] });
-  return Le("aside", { class: "legend", "aria-label": "Legend of false colour", "data-scroll": !0, children: [
-    Le("header", { children: [
-      Y(
-        "button",
-        {
-          "aria-label": `${l}: ${o ? "difference" : e.quantity}, change`,
-          onClick: () => o ? kl({ false_color: Uu }) : ae(e, { quantity: a ? "luminance" : "illuminance" }),
-          children: o ? `Δ ${l}` : l
-        }
-      ),
-      !o && Y("button", { "aria-pressed": e.scale === "log", onClick: () => ae(e, { scale: e.scale === "log" ? "linear" : "log" }), children: "log" }),
-      Y("button", { "aria-pressed": e.lines, onClick: () => ae(e, { lines: !e.lines }), children: "lines" })
-    ] }),
-    o && Le("p", { class: "quiet", title: e.exact === !1 ? "Lamps that differ in the look share a layer of light: what is shown of them is their mean." : void 0, children: [
-      e.exact === !1 ? "≈ " : "",
-      "now − ",
-      Yu.get(e.against)?.name ?? "look"
-    ] }),
-    Y(g, { end: "high" }),
-    Y("div", { class: "scale", style: { background: s }, children: p.map(([u, h]) => Y("span", { style: { bottom: `${100 * h}%` }, children: i(u * r) }, u)) }),
-    Y(g, { end: "low" }),
-    Le("footer", { children: [
-      o ? [50, 500].map((u) => Le("button", { onClick: () => ae(e, { high: u }), children: [
-        "±",
-        u
-      ] }, u)) : Le(ec, { children: [
-        Y("button", { onClick: () => ae(e, { low: 0.1, high: 100, scale: "log" }), children: "0.1–100" }),
-        Y("button", { onClick: () => ae(e, { low: 1, high: 1e3, scale: "log" }), children: "1–1000" })
-      ] }),
-      Y(
-        "select",
-        {
-          "aria-label": "Palette",
-          value: e.palette,
-          onChange: (u) => ae(e, { palette: u.currentTarget.value }),
-          children: e.palettes?.map((u) => Y("option", { children: u }, u)) ?? Y("option", { children: e.palette })
-        }
-      )
-    ] })
-  ] });
+  ] }) : N(ec, {});
 }
 
 // src/later/sheets.tsx
 import {
-  allActions as oo,
-  act as Ll,
-  ask as pc,
-  command as mc,
-  copyText as dc,
-  digits as hc,
-  go as fc,
-  hear as gc,
-  lamps as bc,
-  say as nn,
-  select as vc,
-  send as en,
+  allActions as aa,
+  act as Tl,
+  ask as mc,
+  command as dc,
+  copyText as hc,
+  digits as fc,
+  go as gc,
+  hear as bc,
+  lamps as vc,
+  say as an,
+  select as yc,
+  send as tn,
   sheet as st,
-  shown as yc,
+  shown as kc,
   signal as ut,
-  useEffect as ao,
-  useLayoutEffect as kc,
+  useEffect as oa,
+  useLayoutEffect as wc,
   useRef as on,
-  walkNames as wc,
-  whyNotTo as xc
+  walkNames as xc,
+  whyNotTo as Mc
 } from "./desk.js";
 
 // src/later/csv.ts
-import { gridPoint as tc, grids as nc, maintenance as oc, meters as ac, scene as wl } from "./desk.js";
-var lc = (e) => {
+import { gridPoint as nc, grids as ac, maintenance as oc, meters as lc, scene as xl } from "./desk.js";
+var rc = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function rc() {
-  let e = oc.peek(), t = [["scene", wl.peek()?.name ?? ""], ["maintenance factor", e], []];
+function ic() {
+  let e = oc.peek(), t = [["scene", xl.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of ac.all())
+  for (let [, n] of lc.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of nc.all()) {
+  for (let [, n] of ac.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
-    let o = { mean: n.mean, min: n.min, max: n.max };
-    for (let [a, l] of Object.entries(o)) t.push([a, l == null ? null : l * e]);
-    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((a, l) => {
-      let r = tc(n, l % n.columns, Math.floor(l / n.columns));
-      t.push([...r.map((s) => s.toFixed(3)), a === null ? null : a * e]);
+    let a = { mean: n.mean, min: n.min, max: n.max };
+    for (let [o, l] of Object.entries(a)) t.push([o, l == null ? null : l * e]);
+    t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, l) => {
+      let r = nc(n, l % n.columns, Math.floor(l / n.columns));
+      t.push([...r.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(lc).join(",")).join(`\r
+  return t.map((n) => n.map(rc).join(",")).join(`\r
 `) + `\r
 `;
 }
-function to(e, t) {
+function ta(e, t) {
   let n = document.createElement("a");
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
-function xl() {
-  let e = URL.createObjectURL(new Blob([rc()], { type: "text/csv" }));
-  to(`${wl.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
+function Ml() {
+  let e = URL.createObjectURL(new Blob([ic()], { type: "text/csv" }));
+  ta(`${xl.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
 // src/later/qr.ts
-var Cl = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], Jt = new Uint8Array(512), no = new Uint8Array(256);
+var $l = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136, 18, 2]], en = new Uint8Array(512), na = new Uint8Array(256);
 for (let e = 0, t = 1; e < 255; e++)
-  Jt[e] = Jt[e + 255] = t, no[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
-var Ml = (e, t) => e && t ? Jt[no[e] + no[t]] : 0;
-function ic(e, t) {
+  en[e] = en[e + 255] = t, na[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
+var Sl = (e, t) => e && t ? en[na[e] + na[t]] : 0;
+function sc(e, t) {
   let n = [1];
-  for (let a = 0; a < t; a++) {
+  for (let o = 0; o < t; o++) {
     let l = new Array(n.length + 1).fill(0);
     n.forEach((r, s) => {
-      l[s] ^= r, l[s + 1] ^= Ml(r, Jt[a]);
+      l[s] ^= r, l[s + 1] ^= Sl(r, en[o]);
     }), n = l;
   }
-  let o = [...e, ...new Array(t).fill(0)];
-  for (let a = 0; a < e.length; a++) {
-    let l = o[a];
-    l && n.forEach((r, s) => o[a + s] ^= Ml(r, l));
+  let a = [...e, ...new Array(t).fill(0)];
+  for (let o = 0; o < e.length; o++) {
+    let l = a[o];
+    l && n.forEach((r, s) => a[o + s] ^= Sl(r, l));
   }
-  return o.slice(e.length);
+  return a.slice(e.length);
 }
-function sc(e, t) {
-  let [n, o, a] = Cl[t - 1], l = [], r = (g, u) => {
-    for (let h = u - 1; h >= 0; h--) l.push(g >> h & 1);
+function uc(e, t) {
+  let [n, a, o] = $l[t - 1], l = [], r = (b, d) => {
+    for (let m = d - 1; m >= 0; m--) l.push(b >> m & 1);
   };
-  for (r(4, 4), r(e.length, 8), e.forEach((g) => r(g, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
+  for (r(4, 4), r(e.length, 8), e.forEach((b) => r(b, 8)), r(0, Math.min(4, n * 8 - l.length)); l.length % 8; ) l.push(0);
   let s = [];
-  for (let g = 0; g < l.length; g += 8) s.push(parseInt(l.slice(g, g + 8).join(""), 2));
-  for (let g = 236; s.length < n; g ^= 253) s.push(g);
-  let p = n / a, i = Array.from({ length: a }, (g, u) => s.slice(u * p, (u + 1) * p)), m = i.map((g) => ic(g, o)), c = (g) => g[0].flatMap((u, h) => g.map((v) => v[h]));
-  return [...c(i), ...c(m)];
+  for (let b = 0; b < l.length; b += 8) s.push(parseInt(l.slice(b, b + 8).join(""), 2));
+  for (let b = 236; s.length < n; b ^= 253) s.push(b);
+  let c = n / o, i = Array.from({ length: o }, (b, d) => s.slice(d * c, (d + 1) * c)), p = i.map((b) => sc(b, a)), u = (b) => b[0].flatMap((d, m) => b.map((f) => f[m]));
+  return [...u(i), ...u(p)];
 }
-var uc = [
+var cc = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1966,102 +1971,102 @@ var uc = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function cc(e) {
+function pc(e) {
   let t = 8 | e, n = t << 10;
-  for (let o = 14; o >= 10; o--) n >> o & 1 && (n ^= 1335 << o - 10);
+  for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
 }
-function Sl(e) {
-  let t = e.length, n = 0, o = 0;
-  for (let a of [!1, !0])
+function Cl(e) {
+  let t = e.length, n = 0, a = 0;
+  for (let o of [!1, !0])
     for (let l = 0; l < t; l++) {
-      let r = Array.from({ length: t }, (i, m) => a ? e[m][l] : e[l][m]), s = 1;
+      let r = Array.from({ length: t }, (i, p) => o ? e[p][l] : e[l][p]), s = 1;
       for (let i = 1; i <= t; i++)
         i < t && r[i] === r[i - 1] ? s++ : (s >= 5 && (n += s - 2), s = 1);
-      let p = r.map(Number).join("");
+      let c = r.map(Number).join("");
       for (let i = 0; i + 11 <= t; i++) {
-        let m = p.slice(i, i + 11);
-        (m === "10111010000" || m === "00001011101") && (n += 40);
+        let p = c.slice(i, i + 11);
+        (p === "10111010000" || p === "00001011101") && (n += 40);
       }
     }
-  for (let a = 0; a < t; a++)
+  for (let o = 0; o < t; o++)
     for (let l = 0; l < t; l++)
-      e[a][l] && o++, l && a && e[a][l] === e[a - 1][l] && e[a][l] === e[a][l - 1] && e[a][l] === e[a - 1][l - 1] && (n += 3);
-  return n + 10 * Math.floor(Math.abs(o * 20 / (t * t) - 10));
+      e[o][l] && a++, l && o && e[o][l] === e[o - 1][l] && e[o][l] === e[o][l - 1] && e[o][l] === e[o - 1][l - 1] && (n += 3);
+  return n + 10 * Math.floor(Math.abs(a * 20 / (t * t) - 10));
 }
-function $l(e) {
-  let t = [...new TextEncoder().encode(e)], n = Cl.findIndex(([u]) => t.length + 2 <= u) + 1;
+function Ll(e) {
+  let t = [...new TextEncoder().encode(e)], n = $l.findIndex(([d]) => t.length + 2 <= d) + 1;
   if (!n) return null;
-  let o = 17 + 4 * n, a = Array.from({ length: o }, () => new Array(o).fill(!1)), l = Array.from({ length: o }, () => new Array(o).fill(!1)), r = (u, h, v) => {
-    u < 0 || h < 0 || u >= o || h >= o || (a[h][u] = v, l[h][u] = !0);
+  let a = 17 + 4 * n, o = Array.from({ length: a }, () => new Array(a).fill(!1)), l = Array.from({ length: a }, () => new Array(a).fill(!1)), r = (d, m, f) => {
+    d < 0 || m < 0 || d >= a || m >= a || (o[m][d] = f, l[m][d] = !0);
   };
-  for (let u = 0; u < o; u++)
-    r(u, 6, u % 2 === 0), r(6, u, u % 2 === 0);
-  for (let [u, h] of [[3, 3], [o - 4, 3], [3, o - 4]])
-    for (let v = -4; v <= 4; v++)
-      for (let E = -4; E <= 4; E++) {
-        let H = Math.max(Math.abs(E), Math.abs(v));
-        r(u + E, h + v, H !== 2 && H !== 4);
+  for (let d = 0; d < a; d++)
+    r(d, 6, d % 2 === 0), r(6, d, d % 2 === 0);
+  for (let [d, m] of [[3, 3], [a - 4, 3], [3, a - 4]])
+    for (let f = -4; f <= 4; f++)
+      for (let S = -4; S <= 4; S++) {
+        let H = Math.max(Math.abs(S), Math.abs(f));
+        r(d + S, m + f, H !== 2 && H !== 4);
       }
   if (n > 1) {
-    let u = o - 7;
-    for (let h = -2; h <= 2; h++) for (let v = -2; v <= 2; v++) r(u + v, u + h, Math.max(Math.abs(v), Math.abs(h)) !== 1);
+    let d = a - 7;
+    for (let m = -2; m <= 2; m++) for (let f = -2; f <= 2; f++) r(d + f, d + m, Math.max(Math.abs(f), Math.abs(m)) !== 1);
   }
-  let s = (u) => {
-    let h = cc(u);
-    for (let v = 0; v < 15; v++) {
-      let E = (h >> v & 1) === 1, H = v < 6 ? v : v < 8 ? v + 1 : o - 15 + v;
-      r(8, H, E), r(v < 8 ? o - 1 - v : v < 9 ? 7 : 14 - v, 8, E);
+  let s = (d) => {
+    let m = pc(d);
+    for (let f = 0; f < 15; f++) {
+      let S = (m >> f & 1) === 1, H = f < 6 ? f : f < 8 ? f + 1 : a - 15 + f;
+      r(8, H, S), r(f < 8 ? a - 1 - f : f < 9 ? 7 : 14 - f, 8, S);
     }
-    r(8, o - 8, !0);
+    r(8, a - 8, !0);
   };
   s(0);
-  let p = sc(t, n), i = 0;
-  for (let u = o - 1; u > 0; u -= 2) {
-    u === 6 && (u = 5);
-    for (let h = 0; h < o; h++)
-      for (let v of [u, u - 1]) {
-        let H = (u + 1 & 2) === 0 ? o - 1 - h : h;
-        l[H][v] || (a[H][v] = i < p.length * 8 && (p[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
+  let c = uc(t, n), i = 0;
+  for (let d = a - 1; d > 0; d -= 2) {
+    d === 6 && (d = 5);
+    for (let m = 0; m < a; m++)
+      for (let f of [d, d - 1]) {
+        let H = (d + 1 & 2) === 0 ? a - 1 - m : m;
+        l[H][f] || (o[H][f] = i < c.length * 8 && (c[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
       }
   }
-  let m = (u) => (s(u), a.map((h, v) => h.map((E, H) => E !== (!l[v][H] && uc[u](H, v))))), c = m(0), g = Sl(c);
-  for (let u = 1; u < 8; u++) {
-    let h = m(u), v = Sl(h);
-    v < g && ([c, g] = [h, v]);
+  let p = (d) => (s(d), o.map((m, f) => m.map((S, H) => S !== (!l[f][H] && cc[d](H, f))))), u = p(0), b = Cl(u);
+  for (let d = 1; d < 8; d++) {
+    let m = p(d), f = Cl(m);
+    f < b && ([u, b] = [m, f]);
   }
-  return c;
+  return u;
 }
 
 // src/later/sheets.tsx
-import { Fragment as Ic, jsx as f, jsxs as T } from "./desk.js";
+import { Fragment as Ac, jsx as g, jsxs as P } from "./desk.js";
 function ct({ title: e, wide: t, children: n }) {
-  let o = on(null);
-  kc(() => {
-    let l = o.current, r = document.activeElement;
+  let a = on(null);
+  wc(() => {
+    let l = a.current, r = document.activeElement;
     return l.open || l.showModal(), () => r?.focus();
   }, []);
-  let a = () => st.value = null;
-  return f(
+  let o = () => st.value = null;
+  return g(
     "dialog",
     {
-      ref: o,
+      ref: a,
       class: t ? "sheet wide-sheet" : "sheet",
       "aria-label": e,
-      onClose: a,
-      onClick: (l) => l.target === o.current && a(),
-      children: T("div", { class: "sheet-body", children: [
-        T("header", { children: [
-          f("h2", { children: e }),
-          f("span", { class: "gap" }),
-          f("button", { onClick: a, children: "Close" })
+      onClose: o,
+      onClick: (l) => l.target === a.current && o(),
+      children: P("div", { class: "sheet-body", children: [
+        P("header", { children: [
+          g("h2", { children: e }),
+          g("span", { class: "gap" }),
+          g("button", { onClick: o, children: "Close" })
         ] }),
         n
       ] })
     }
   );
 }
-var Mc = [
+var Sc = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -2075,72 +2080,72 @@ var Mc = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function Sc() {
-  let e = [...new Set(oo().map((t) => t.group))];
-  return f(ct, { title: "All keys", wide: !0, children: T("div", { class: "help", children: [
-    T("table", { children: [
-      f("caption", { class: "spoken", children: "By hand" }),
-      f("thead", { children: T("tr", { children: [
-        f("th", { scope: "col", children: "What" }),
-        f("th", { scope: "col", children: "Mouse" }),
-        f("th", { scope: "col", children: "Keys, in the view" }),
-        f("th", { scope: "col", children: "Fingers" })
+function Cc() {
+  let e = [...new Set(aa().map((t) => t.group))];
+  return g(ct, { title: "All keys", wide: !0, children: P("div", { class: "help", children: [
+    P("table", { children: [
+      g("caption", { class: "spoken", children: "By hand" }),
+      g("thead", { children: P("tr", { children: [
+        g("th", { scope: "col", children: "What" }),
+        g("th", { scope: "col", children: "Mouse" }),
+        g("th", { scope: "col", children: "Keys, in the view" }),
+        g("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      f("tbody", { children: Mc.map(([t, n, o, a]) => T("tr", { children: [
-        f("th", { scope: "row", children: t }),
-        f("td", { children: n }),
-        f("td", { children: o.replace("walking keys", wc.value) }),
-        f("td", { children: a })
+      g("tbody", { children: Sc.map(([t, n, a, o]) => P("tr", { children: [
+        g("th", { scope: "row", children: t }),
+        g("td", { children: n }),
+        g("td", { children: a.replace("walking keys", xc.value) }),
+        g("td", { children: o })
       ] }, t)) })
     ] }),
-    T("div", { class: "columns", children: [
-      e.map((t) => T("section", { children: [
-        f("h3", { children: t }),
-        f("dl", { children: oo().filter((n) => n.group === t && n.keys).map((n) => T(Ic, { children: [
-          f("dt", { children: n.label }),
-          f("dd", { children: f("kbd", { children: n.keys }) })
+    P("div", { class: "columns", children: [
+      e.map((t) => P("section", { children: [
+        g("h3", { children: t }),
+        g("dl", { children: aa().filter((n) => n.group === t && n.keys).map((n) => P(Ac, { children: [
+          g("dt", { children: n.label }),
+          g("dd", { children: g("kbd", { children: n.keys }) })
         ] })) })
       ] }, t)),
-      T("section", { children: [
-        f("h3", { children: "Numbers" }),
-        T("dl", { children: [
-          f("dt", { children: "Level" }),
-          f("dd", { children: "80 %, 450 lm, *0.8, +10, -1/2 stop, full, out" }),
-          f("dt", { children: "Colour" }),
-          f("dd", { children: "2700K" }),
-          f("dt", { children: "Length" }),
-          f("dd", { children: `2.4m, 75cm, 8'2", +=0.1` }),
-          f("dt", { children: "Angle" }),
-          f("dd", { children: "30°" })
+      P("section", { children: [
+        g("h3", { children: "Numbers" }),
+        P("dl", { children: [
+          g("dt", { children: "Level" }),
+          g("dd", { children: "80 %, 450 lm, *0.8, +10, -1/2 stop, full, out" }),
+          g("dt", { children: "Colour" }),
+          g("dd", { children: "2700K" }),
+          g("dt", { children: "Length" }),
+          g("dd", { children: `2.4m, 75cm, 8'2", +=0.1` }),
+          g("dt", { children: "Angle" }),
+          g("dd", { children: "30°" })
         ] })
       ] })
     ] })
   ] }) });
 }
-var tn = ut(""), it = ut(0);
-function Cc() {
-  let e = tn.value.toLowerCase().split(/\s+/).filter(Boolean), t = (o) => e.every((a) => o.toLowerCase().includes(a)), n = oo().filter((o) => t(`${o.group} ${o.label}`)).map((o) => ({ label: o.label, note: o.keys ?? o.group, why: xc(o.id), run: () => Ll(o.id) }));
-  for (let { name: o, camera: a } of At())
-    t(`view ${o}`) && n.push({ label: `View: ${o}`, note: "view", why: null, run: () => fc(a, o) });
+var nn = ut(""), it = ut(0);
+function $c() {
+  let e = nn.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = aa().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: Mc(a.id), run: () => Tl(a.id) }));
+  for (let { name: a, camera: o } of qt())
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => gc(o, a) });
   if (e.length)
-    for (let [o, a] of bc.all()) {
+    for (let [a, o] of vc.all()) {
       if (n.length > 60) break;
-      t(a.name) && n.push({ label: a.name, note: "lamp", why: null, run: () => vc("lamp", o) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => yc("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function $c() {
-  let e = Cc(), t = Math.min(it.value, e.length - 1);
-  ao(() => {
-    tn.value = "", it.value = 0;
-  }, []), ao(() => {
+function Lc() {
+  let e = $c(), t = Math.min(it.value, e.length - 1);
+  oa(() => {
+    nn.value = "", it.value = 0;
+  }, []), oa(() => {
     document.getElementById(`command-${t}`)?.scrollIntoView({ block: "nearest" });
   }, [t]);
-  let n = (o) => {
-    o && (st.value = null, o.why ? nn(o.why, "warn") : setTimeout(o.run, 0));
+  let n = (a) => {
+    a && (st.value = null, a.why ? an(a.why, "warn") : setTimeout(a.run, 0));
   };
-  return T(ct, { title: "Command palette", children: [
-    f(
+  return P(ct, { title: "Command palette", children: [
+    g(
       "input",
       {
         type: "text",
@@ -2153,150 +2158,150 @@ function $c() {
         "aria-autocomplete": "list",
         autofocus: !0,
         placeholder: "What shall be done?",
-        value: tn.value,
-        onInput: (o) => {
-          tn.value = o.currentTarget.value, it.value = 0;
+        value: nn.value,
+        onInput: (a) => {
+          nn.value = a.currentTarget.value, it.value = 0;
         },
-        onKeyDown: (o) => {
-          let a = { ArrowDown: 1, ArrowUp: -1 }[o.key];
-          a && (o.preventDefault(), it.value = (t + a + e.length) % Math.max(1, e.length)), o.key === "Enter" && (o.preventDefault(), n(e[t]));
+        onKeyDown: (a) => {
+          let o = { ArrowDown: 1, ArrowUp: -1 }[a.key];
+          o && (a.preventDefault(), it.value = (t + o + e.length) % Math.max(1, e.length)), a.key === "Enter" && (a.preventDefault(), n(e[t]));
         }
       }
     ),
-    T("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
-      e.map((o, a) => T(
+    P("ul", { class: "commands", id: "commands", role: "listbox", "aria-label": "Commands", children: [
+      e.map((a, o) => P(
         "li",
         {
-          id: `command-${a}`,
+          id: `command-${o}`,
           role: "option",
-          "aria-selected": a === t,
-          "aria-disabled": o.why !== null,
-          title: o.why ?? void 0,
-          onPointerMove: () => it.value = a,
-          onClick: () => n(o),
+          "aria-selected": o === t,
+          "aria-disabled": a.why !== null,
+          title: a.why ?? void 0,
+          onPointerMove: () => it.value = o,
+          onClick: () => n(a),
           children: [
-            f("span", { children: o.label }),
-            f("kbd", { children: o.note })
+            g("span", { children: a.label }),
+            g("kbd", { children: a.note })
           ]
         },
-        o.label + a
+        a.label + o
       )),
-      !e.length && f("li", { class: "quiet", role: "option", "aria-selected": "false", "aria-disabled": "true", children: "Nothing is called so." })
+      !e.length && g("li", { class: "quiet", role: "option", "aria-selected": "false", "aria-disabled": "true", children: "Nothing is called so." })
     ] })
   ] });
 }
-var Tl = ut([]);
-gc("links", (e) => Tl.value = e.links);
-function Lc({ text: e }) {
-  let t = $l(e);
+var Pl = ut([]);
+bc("links", (e) => Pl.value = e.links);
+function Tc({ text: e }) {
+  let t = Ll(e);
   if (!t) return null;
-  let n = t.length + 8, o = t.map((a, l) => a.map((r, s) => r ? `M${s + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
-  return T("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
-    f("rect", { width: n, height: n, fill: "#fff" }),
-    f("path", { d: o, fill: "#000" })
-  ] });
-}
-function Tc() {
-  let e = ut(null), t = on(e).current;
-  return ao(() => {
-    en({ do: "links", what: "list" });
-  }, []), T(ct, { title: "Share by link", children: [
-    f("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
-    f("ul", { class: "links", children: Tl.value.map((n) => T("li", { children: [
-      f("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
-      f("code", { children: n.address }),
-      T("span", { class: "buttons", children: [
-        f("button", { onClick: () => {
-          dc(n.address);
-        }, children: "Copy" }),
-        f("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
-        f("button", { onClick: () => en({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
-      ] }),
-      t.value === n.id && f(Lc, { text: n.address })
-    ] }, n.id)) }),
-    T("footer", { children: [
-      f("button", { onClick: () => en({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
-      f("button", { onClick: () => en({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
-    ] })
+  let n = t.length + 8, a = t.map((o, l) => o.map((r, s) => r ? `M${s + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
+  return P("svg", { class: "qr", viewBox: `0 0 ${n} ${n}`, role: "img", "aria-label": `Code of ${e}`, children: [
+    g("rect", { width: n, height: n, fill: "#fff" }),
+    g("path", { d: a, fill: "#000" })
   ] });
 }
 function Pc() {
-  let e = on(null), t = () => {
-    let n = e.current?.value.trim();
-    if (!n) return e.current?.focus();
-    mc({ do: "save", name: n }), st.value = null, nn(`Saving the version “${n}”.`);
-  };
-  return T(ct, { title: "Save a version", children: [
-    f("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
-    T("label", { class: "line", children: [
-      f("span", { children: "Name" }),
-      f("span", { class: "field", children: f("input", { ref: e, type: "text", autofocus: !0, maxLength: 120, onKeyDown: (n) => n.key === "Enter" && t() }) })
-    ] }),
-    f("footer", { children: f("button", { onClick: t, children: "Save" }) })
-  ] });
-}
-var te = ut(null);
-function Vc() {
-  let e = yc.value?.head, t = on(null), n = (a) => t.current?.querySelector(`[name=${a}]`)?.value ?? "", o = () => {
-    te.value = 0;
-    let [a, l] = [Number(n("width")), Number(n("height"))];
-    pc("picture", { format: n("format"), width: a, height: l, batches: Number(n("batches")) }, (r) => {
-      r.why ? (te.value = null, nn(r.why, "warn")) : r.url ? (te.value = null, to(r.name, r.url), st.value = null) : te.value = r.progress ?? 0;
-    }, (r) => {
-      te.value = null, nn(r, "warn");
-    });
-  };
-  return T(ct, { title: "Save the picture", children: [
-    T("div", { ref: t, class: "form", children: [
-      T("label", { class: "line", children: [
-        f("span", { children: "Format" }),
-        T("select", { name: "format", children: [
-          f("option", { value: "png", children: "PNG, as it is shown" }),
-          f("option", { value: "exr", children: "EXR, the light itself" })
-        ] })
+  let e = ut(null), t = on(e).current;
+  return oa(() => {
+    tn({ do: "links", what: "list" });
+  }, []), P(ct, { title: "Share by link", children: [
+    g("p", { class: "quiet", children: "Who has a link may do what it says until it is revoked. One edits at a time; whoever takes the pen leaves the other's work as it is." }),
+    g("ul", { class: "links", children: Pl.value.map((n) => P("li", { children: [
+      g("strong", { children: n.role === "edit" ? "Edits" : "Watches" }),
+      g("code", { children: n.address }),
+      P("span", { class: "buttons", children: [
+        g("button", { onClick: () => {
+          hc(n.address);
+        }, children: "Copy" }),
+        g("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
+        g("button", { onClick: () => tn({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      T("label", { class: "line", children: [
-        f("span", { children: "Width" }),
-        f("input", { type: "number", name: "width", min: 16, max: 16384, value: Math.max(e?.width ?? 0, 640) })
-      ] }),
-      T("label", { class: "line", children: [
-        f("span", { children: "Height" }),
-        f("input", { type: "number", name: "height", min: 16, max: 16384, value: Math.max(e?.height ?? 0, 480) })
-      ] }),
-      T("label", { class: "line", children: [
-        f("span", { children: "Batches" }),
-        f("input", { type: "number", name: "batches", min: 1, max: 1e5, value: 64 })
-      ] })
-    ] }),
-    te.value !== null && f("progress", { max: 1, value: te.value, "aria-label": "Rendering" }),
-    T("footer", { children: [
-      f("button", { onClick: () => Ll("command"), children: "Copy the command" }),
-      f("button", { disabled: te.value !== null, onClick: o, children: te.value === null ? "Render and save" : te.value ? `${hc(te.value * 100)} %` : "Rendering…" })
+      t.value === n.id && g(Tc, { text: n.address })
+    ] }, n.id)) }),
+    P("footer", { children: [
+      g("button", { onClick: () => tn({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
+      g("button", { onClick: () => tn({ do: "links", what: "make", role: "edit" }), children: "New link to edit" })
     ] })
   ] });
 }
+function Vc() {
+  let e = on(null), t = () => {
+    let n = e.current?.value.trim();
+    if (!n) return e.current?.focus();
+    dc({ do: "save", name: n }), st.value = null, an(`Saving the version “${n}”.`);
+  };
+  return P(ct, { title: "Save a version", children: [
+    g("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
+    P("label", { class: "line", children: [
+      g("span", { children: "Name" }),
+      g("span", { class: "field", children: g("input", { ref: e, type: "text", autofocus: !0, maxLength: 120, onKeyDown: (n) => n.key === "Enter" && t() }) })
+    ] }),
+    g("footer", { children: g("button", { onClick: t, children: "Save" }) })
+  ] });
+}
+var ne = ut(null);
 function Ec() {
+  let e = kc.value?.head, t = on(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+    ne.value = 0;
+    let [o, l] = [Number(n("width")), Number(n("height"))];
+    mc("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
+      r.why ? (ne.value = null, an(r.why, "warn")) : r.url ? (ne.value = null, ta(r.name, r.url), st.value = null) : ne.value = r.progress ?? 0;
+    }, (r) => {
+      ne.value = null, an(r, "warn");
+    });
+  };
+  return P(ct, { title: "Save the picture", children: [
+    P("div", { ref: t, class: "form", children: [
+      P("label", { class: "line", children: [
+        g("span", { children: "Format" }),
+        P("select", { name: "format", children: [
+          g("option", { value: "png", children: "PNG, as it is shown" }),
+          g("option", { value: "exr", children: "EXR, the light itself" })
+        ] })
+      ] }),
+      P("label", { class: "line", children: [
+        g("span", { children: "Width" }),
+        g("input", { type: "number", name: "width", min: 16, max: 16384, value: Math.max(e?.width ?? 0, 640) })
+      ] }),
+      P("label", { class: "line", children: [
+        g("span", { children: "Height" }),
+        g("input", { type: "number", name: "height", min: 16, max: 16384, value: Math.max(e?.height ?? 0, 480) })
+      ] }),
+      P("label", { class: "line", children: [
+        g("span", { children: "Batches" }),
+        g("input", { type: "number", name: "batches", min: 1, max: 1e5, value: 64 })
+      ] })
+    ] }),
+    ne.value !== null && g("progress", { max: 1, value: ne.value, "aria-label": "Rendering" }),
+    P("footer", { children: [
+      g("button", { onClick: () => Tl("command"), children: "Copy the command" }),
+      g("button", { disabled: ne.value !== null, onClick: a, children: ne.value === null ? "Render and save" : ne.value ? `${fc(ne.value * 100)} %` : "Rendering…" })
+    ] })
+  ] });
+}
+function Ic() {
   switch (st.value) {
     case "help":
-      return f(Sc, {});
+      return g(Cc, {});
     case "palette":
-      return f($c, {});
+      return g(Lc, {});
     case "share":
-      return f(Tc, {});
+      return g(Pc, {});
     case "save":
-      return f(Pc, {});
+      return g(Vc, {});
     case "picture":
-      return f(Vc, {});
+      return g(Ec, {});
     default:
       return null;
   }
 }
 
 // src/later/sheetrow.tsx
-import { act as Ac, colorText as Pl, cost as Rc, css as qc, LevelField as Fc, listed as Hc, pickRow as Nc, Power as Dc, select as Gc, three as Oc } from "./desk.js";
-import { jsx as J, jsxs as lo } from "./desk.js";
-function Wc() {
-  return lo("div", { class: "sheet-row head", "aria-hidden": "true", children: [
+import { act as qc, colorText as Vl, cost as Rc, css as Fc, LevelField as Hc, listed as Nc, pickRow as Dc, Power as Gc, select as Oc, three as Wc } from "./desk.js";
+import { jsx as J, jsxs as la } from "./desk.js";
+function Kc() {
+  return la("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     J("span", {}),
     J("span", { children: "Name" }),
     J("span", { children: "Level" }),
@@ -2304,83 +2309,83 @@ function Wc() {
     J("span", { children: "White" })
   ] });
 }
-function Kc({ row: e, index: t, count: n }) {
-  let o = Hc(e, t, n);
-  if (!o) return null;
-  let { lamp: a, entry: l } = o;
-  return lo("div", { class: `sheet-row ${o.state}`, ...o.frame, children: [
-    J(Dc, { of: o }),
-    J("button", { class: "row-name", "aria-pressed": o.selected, title: a ? Rc(a) : void 0, onClick: (r) => Nc(r, e.kind, e.id), onDblClick: () => Ac("frame"), children: J("span", { children: l.name }) }),
-    J(Fc, { of: o, label: "level" }),
-    J("span", { class: "lumens", children: Oc(o.lumens) }),
-    a ? lo("button", { class: "tint", "aria-label": `${l.name} colour: ${Pl(a)}`, onClick: () => Gc("lamp", e.id), children: [
-      J("i", { class: "swatch", style: { background: qc(a.swatch) } }),
-      Pl(a)
+function Bc({ row: e, index: t, count: n }) {
+  let a = Nc(e, t, n);
+  if (!a) return null;
+  let { lamp: o, entry: l } = a;
+  return la("div", { class: `sheet-row ${a.state}`, ...a.frame, children: [
+    J(Gc, { of: a }),
+    J("button", { class: "row-name", "aria-pressed": a.selected, title: o ? Rc(o) : void 0, onClick: (r) => Dc(r, e.kind, e.id), onDblClick: () => qc("frame"), children: J("span", { children: l.name }) }),
+    J(Hc, { of: a, label: "level" }),
+    J("span", { class: "lumens", children: Wc(a.lumens) }),
+    o ? la("button", { class: "tint", "aria-label": `${l.name} colour: ${Vl(o)}`, onClick: () => Oc("lamp", e.id), children: [
+      J("i", { class: "swatch", style: { background: Fc(o.swatch) } }),
+      Vl(o)
     ] }) : J("span", {})
   ] });
 }
 
 // src/later/strip.tsx
 import {
-  act as ro,
-  command as Fl,
-  digits as io,
-  display as Bc,
-  fade as an,
-  Field as Hl,
-  grids as Vl,
+  act as ra,
+  command as Hl,
+  digits as ia,
+  display as Uc,
+  fade as ln,
+  Field as Nl,
+  grids as El,
   Icon as Ke,
-  looks as El,
-  luxText as Il,
+  looks as Il,
+  luxText as Al,
   maintained as We,
-  maintenance as Uc,
-  meters as Al,
+  maintenance as _c,
+  meters as ql,
   select as Rl,
-  selection as ln,
-  show as _c,
-  signal as Xc,
-  signed as Yc,
-  storeLook as zc
+  selection as rn,
+  show as Xc,
+  signal as Yc,
+  signed as zc,
+  storeLook as jc
 } from "./desk.js";
-import { Fragment as ep, jsx as x, jsxs as F } from "./desk.js";
-var so = Xc("looks");
-function jc() {
+import { Fragment as tp, jsx as x, jsxs as F } from "./desk.js";
+var sa = Yc("looks");
+function Zc() {
   return F("section", { class: "looks", "aria-label": "Looks", children: [
     F("header", { children: [
       x("h2", { children: "Looks" }),
-      x("button", { class: "tab", onClick: () => so.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: zc, children: x(Ke, { name: "plus" }) }),
+      x("button", { class: "tab", onClick: () => sa.value = "meters", children: "Meters" }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: jc, children: x(Ke, { name: "plus" }) }),
       x("span", { class: "gap" }),
       F("label", { class: "tint", children: [
         "Fade",
-        x(Hl, { label: "Cross-fade", quantity: "seconds", value: an.value, step: 0.5, set: (e) => an.value = Math.max(0, e(an.value)) })
+        x(Nl, { label: "Cross-fade", quantity: "seconds", value: ln.value, step: 0.5, set: (e) => ln.value = Math.max(0, e(ln.value)) })
       ] })
     ] }),
     F("ul", { children: [
-      El.all().map(([e, t], n) => F("li", { class: "look", children: [
-        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Fl({ do: "look", id: e, what: "recall", seconds: an.peek() }), children: [
+      Il.all().map(([e, t], n) => F("li", { class: "look", children: [
+        F("button", { class: "recall", title: `${t.name}: recall (J ${n + 1})`, onClick: () => Hl({ do: "look", id: e, what: "recall", seconds: ln.peek() }), children: [
           t.picture && x("img", { src: t.picture, alt: t.name, width: 96, height: 72 }),
           x("span", { "aria-hidden": t.picture ? "true" : void 0, children: t.name })
         ] }),
-        x(Zc, { id: e, name: t.name })
+        x(Qc, { id: e, name: t.name })
       ] }, e)),
-      !El.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
+      !Il.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function Zc({ id: e, name: t }) {
-  let n = `look-${e}`, o = (p) => {
-    let i = p.getBoundingClientRect(), m = document.getElementById(n);
-    m?.style.setProperty("left", `${Math.min(i.left, innerWidth - 296)}px`), m?.style.setProperty("bottom", `${innerHeight - i.top + 4}px`), m?.style.setProperty("top", "auto");
-  }, a = Bc.value.false_color?.against === e, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), s = (p, i = {}) => {
-    r(), Fl({ do: "look", id: e, what: p, ...i });
+function Qc({ id: e, name: t }) {
+  let n = `look-${e}`, a = (c) => {
+    let i = c.getBoundingClientRect(), p = document.getElementById(n);
+    p?.style.setProperty("left", `${Math.min(i.left, innerWidth - 296)}px`), p?.style.setProperty("bottom", `${innerHeight - i.top + 4}px`), p?.style.setProperty("top", "auto");
+  }, o = Uc.value.false_color?.against === e, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), s = (c, i = {}) => {
+    r(), Hl({ do: "look", id: e, what: c, ...i });
   };
-  return F(ep, { children: [
-    x("button", { class: "icon more", ...l, "aria-label": `More of ${t}`, onPointerDown: (p) => o(p.currentTarget), onFocus: (p) => o(p.currentTarget), children: x(Ke, { name: "more" }) }),
+  return F(tp, { children: [
+    x("button", { class: "icon more", ...l, "aria-label": `More of ${t}`, onPointerDown: (c) => a(c.currentTarget), onFocus: (c) => a(c.currentTarget), children: x(Ke, { name: "more" }) }),
     F("div", { id: n, popover: "auto", class: "menu", children: [
       F("label", { class: "line", children: [
         x("span", { children: "Name" }),
-        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (p) => s("rename", { name: p.currentTarget.value }) }) })
+        x("span", { class: "field", children: x("input", { type: "text", "aria-label": "Name of the look", value: t, onChange: (c) => s("rename", { name: c.currentTarget.value }) }) })
       ] }),
       x("button", { class: "item", onClick: () => s("update"), children: x("span", { children: "Update to what is set now" }) }),
       x("button", { class: "item", onClick: () => s("recall", { seconds: 0 }), children: x("span", { children: "Recall at once" }) }),
@@ -2389,231 +2394,231 @@ function Zc({ id: e, name: t }) {
         {
           class: "item",
           onClick: () => {
-            r(), _c({ false_color: a ? null : ft(e) });
+            r(), Xc({ false_color: o ? null : ft(e) });
           },
-          children: x("span", { children: a ? "End the difference" : "Difference to now" })
+          children: x("span", { children: o ? "End the difference" : "Difference to now" })
         }
       ),
       x("button", { class: "item", onClick: () => s("remove"), children: x("span", { children: "Remove" }) })
     ] })
   ] });
 }
-var ql = (e, t) => e == null ? "" : ` · Δ ${Yc(e * t)}`;
-function Qc() {
-  let e = Uc.value;
+var Fl = (e, t) => e == null ? "" : ` · Δ ${zc(e * t)}`;
+function Jc() {
+  let e = _c.value;
   return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
     F("header", { children: [
       x("h2", { children: "Meters" }),
-      x("button", { class: "tab", onClick: () => so.value = "looks", children: "Looks" }),
-      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => ro("meter-tool"), children: x(Ke, { name: "meter" }) }),
-      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => ro("grid"), children: x(Ke, { name: "grid" }) }),
-      x("button", { onClick: () => ro("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
+      x("button", { class: "tab", onClick: () => sa.value = "looks", children: "Looks" }),
+      x("button", { class: "icon", "aria-label": "Lay a meter", title: "Lay a meter by pointing", onClick: () => ra("meter-tool"), children: x(Ke, { name: "meter" }) }),
+      x("button", { class: "icon", "aria-label": "Lay a grid", title: "Lay a grid by two corners", onClick: () => ra("grid"), children: x(Ke, { name: "grid" }) }),
+      x("button", { onClick: () => ra("reach"), title: "Set levels so that meters and areas come nearest to their targets", children: "Reach targets" }),
       F("label", { class: "tint", title: "How high levels may be set, of each lamp's flux", children: [
         "up to",
-        x(Hl, { label: "Highest level to reach targets", quantity: "level", value: Ie.value, step: 0.1, set: (t) => Ie.value = Math.min(10, Math.max(1, t(Ie.value))) })
+        x(Nl, { label: "Highest level to reach targets", quantity: "level", value: Ie.value, step: 0.1, set: (t) => Ie.value = Math.min(10, Math.max(1, t(Ie.value))) })
       ] }),
-      x("button", { onClick: xl, title: "Save all figures as CSV", children: "CSV" }),
+      x("button", { onClick: Ml, title: "Save all figures as CSV", children: "CSV" }),
       x("span", { class: "gap" }),
-      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${io(e, 2)} maintained` })
+      x("span", { class: "quiet", children: e === 1 ? "new installation" : `× ${ia(e, 2)} maintained` })
     ] }),
     F("ul", { children: [
-      Al.all().map(([t, n]) => {
-        let o = n.lux;
-        return x("li", { children: F("button", { class: "reading", "aria-pressed": ln.value?.kind === "meter" && ln.value.ids.includes(t), onClick: () => Rl("meter", t), children: [
+      ql.all().map(([t, n]) => {
+        let a = n.lux;
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": rn.value?.kind === "meter" && rn.value.ids.includes(t), onClick: () => Rl("meter", t), children: [
           F("span", { class: "tint", children: [
             x(Ke, { name: "meter" }),
             n.name,
             " ",
-            x(An, { of: Ft(n) })
+            x(qn, { of: Ht(n) })
           ] }),
-          x("strong", { class: Rt(n) ? "unsettled" : "", children: o ? We(o[0]) : "…" }),
+          x("strong", { class: Rt(n) ? "unsettled" : "", children: a ? We(a[0]) : "…" }),
           F("small", { children: [
-            o?.[1] != null ? `±${We(o[1], !1)}` : "measuring",
+            a?.[1] != null ? `±${We(a[1], !1)}` : "measuring",
             " ",
             n.kind,
-            ql(n.change, e),
-            n.target ? ` · wants ${Il(n.target)}` : ""
+            Fl(n.change, e),
+            n.target ? ` · wants ${Al(n.target)}` : ""
           ] })
         ] }) }, `m${t}`);
       }),
-      Vl.all().map(([t, n]) => {
-        let o = n.target;
-        return x("li", { children: F("button", { class: "reading", "aria-pressed": ln.value?.kind === "grid" && ln.value.ids.includes(t), onClick: () => Rl("grid", t), children: [
+      El.all().map(([t, n]) => {
+        let a = n.target;
+        return x("li", { children: F("button", { class: "reading", "aria-pressed": rn.value?.kind === "grid" && rn.value.ids.includes(t), onClick: () => Rl("grid", t), children: [
           F("span", { class: "tint", children: [
             x(Ke, { name: "grid" }),
             n.name,
             " ",
-            x(An, { of: Ht(n) })
+            x(qn, { of: Nt(n) })
           ] }),
-          x("strong", { class: qt(n) ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${We(n.mean)}${n.error == null ? "" : ` ±${We(n.error, !1)}`}` }),
+          x("strong", { class: Ft(n) ? "unsettled" : "", children: n.mean == null ? "…" : `Ē ${We(n.mean)}${n.error == null ? "" : ` ±${We(n.error, !1)}`}` }),
           F("small", { children: [
             "U₀ ",
-            n.uniformity == null ? "…" : io(n.uniformity, 2),
+            n.uniformity == null ? "…" : ia(n.uniformity, 2),
             " · ",
             n.min == null ? "…" : We(n.min, !1),
             " to",
             " ",
             n.max == null ? "…" : We(n.max, !1),
-            ql(n.change, e),
-            o ? ` · wants ${Il(o.lux)}, U₀ ${io(o.uniformity, 2)}` : ""
+            Fl(n.change, e),
+            a ? ` · wants ${Al(a.lux)}, U₀ ${ia(a.uniformity, 2)}` : ""
           ] })
         ] }) }, `g${t}`);
       }),
-      !Al.ids.value.length && !Vl.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !ql.ids.value.length && !El.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function Jc() {
-  return F("div", { class: "strip-parts", "data-tab": so.value, children: [
-    x(jc, {}),
-    x(Qc, {})
+function ep() {
+  return F("div", { class: "strip-parts", "data-tab": sa.value, children: [
+    x(Zc, {}),
+    x(Jc, {})
   ] });
 }
 
 // src/later/menus.tsx
 import {
-  camera as Gl,
-  digits as Ol,
-  display as tp,
-  Field as sn,
-  go as Wl,
-  houseLights as uo,
+  camera as Ol,
+  digits as Wl,
+  display as np,
+  Field as un,
+  go as Kl,
+  houseLights as ua,
   Item as Te,
-  Range as np,
-  show as co,
-  theme as Nl,
+  Range as ap,
+  show as ca,
+  theme as Dl,
   walking as op
 } from "./desk.js";
-import { Fragment as un, jsx as C, jsxs as ne } from "./desk.js";
-var rn = Math.PI / 360;
-function Dl(e) {
-  let t = Gl.peek();
-  t && Wl({ ...t, fov: Math.max(3, Math.min(140, e)) });
+import { Fragment as cn, jsx as $, jsxs as ae } from "./desk.js";
+var sn = Math.PI / 360;
+function Gl(e) {
+  let t = Ol.peek();
+  t && Kl({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function ap() {
-  let e = Gl.value, t = At();
-  return ne(un, { children: [
-    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => C(Te, { id: n }, n)),
-    C("hr", {}),
-    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => C(Te, { id: `preset-${n}` }, n)),
-    C("hr", {}),
-    t.length > 0 && C("p", { class: "quiet", children: "Cameras of the file and saved views" }),
-    t.map(({ name: n, camera: o }, a) => C("button", { class: "item", onClick: () => Wl(o, n), children: C("span", { children: n }) }, a)),
-    t.length > 0 && C("hr", {}),
-    e && !e.height && ne(un, { children: [
-      ne("label", { class: "line", children: [
-        C("span", { children: "Angle" }),
-        C(sn, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Dl(n(e.fov)) })
+function lp() {
+  let e = Ol.value, t = qt();
+  return ae(cn, { children: [
+    ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => $(Te, { id: n }, n)),
+    $("hr", {}),
+    ["plan", "ceiling", "north", "east", "south", "west"].map((n) => $(Te, { id: `preset-${n}` }, n)),
+    $("hr", {}),
+    t.length > 0 && $("p", { class: "quiet", children: "Cameras of the file and saved views" }),
+    t.map(({ name: n, camera: a }, o) => $("button", { class: "item", onClick: () => Kl(a, n), children: $("span", { children: n }) }, o)),
+    t.length > 0 && $("hr", {}),
+    e && !e.height && ae(cn, { children: [
+      ae("label", { class: "line", children: [
+        $("span", { children: "Angle" }),
+        $(un, { label: "Vertical angle of view", quantity: "angle", value: e.fov, step: 1, set: (n) => Gl(n(e.fov)) })
       ] }),
-      ne("label", { class: "line", children: [
-        C("span", { children: "Focal length" }),
-        C(sn, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * rn)) / 10, text: `${Ol(12 / Math.tan(e.fov * rn), 1)} mm`, step: 1, set: (n) => Dl(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * rn)))) / rn) })
+      ae("label", { class: "line", children: [
+        $("span", { children: "Focal length" }),
+        $(un, { label: "Focal length on 36 × 24 mm", quantity: "number", value: Math.round(120 / Math.tan(e.fov * sn)) / 10, text: `${Wl(12 / Math.tan(e.fov * sn), 1)} mm`, step: 1, set: (n) => Gl(Math.atan(12 / Math.max(2, n(12 / Math.tan(e.fov * sn)))) / sn) })
       ] }),
-      C("hr", {})
+      $("hr", {})
     ] }),
-    C(Te, { id: "walking", label: op.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
-    C(Te, { id: "from-lamp" }),
-    ["default", "blender", "maya", "trackpad"].map((n) => C(Te, { id: `hands-${n}` }, n))
+    $(Te, { id: "walking", label: op.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    $(Te, { id: "from-lamp" }),
+    ["default", "blender", "maya", "trackpad"].map((n) => $(Te, { id: `hands-${n}` }, n))
   ] });
 }
-var lp = ["linear", "reinhard", "filmic"];
-function rp() {
-  let e = tp.value, t = e.white ?? { kelvin: 6500, tint: 0 };
-  return ne(un, { children: [
-    ne("fieldset", { children: [
-      C("legend", { children: "Tone curve" }),
-      C("div", { class: "segments", children: lp.map((n) => C("button", { "aria-pressed": e.tone === n, onClick: () => co({ tone: n }), children: n }, n)) })
+var rp = ["linear", "reinhard", "filmic"];
+function ip() {
+  let e = np.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+  return ae(cn, { children: [
+    ae("fieldset", { children: [
+      $("legend", { children: "Tone curve" }),
+      $("div", { class: "segments", children: rp.map((n) => $("button", { "aria-pressed": e.tone === n, onClick: () => ca({ tone: n }), children: n }, n)) })
     ] }),
-    ne("fieldset", { children: [
-      C("legend", { children: "White balance" }),
-      ne("label", { class: "line", children: [
-        C("span", { children: "White" }),
-        C(sn, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => co({ white: { ...t, kelvin: n(t.kelvin) } }) })
+    ae("fieldset", { children: [
+      $("legend", { children: "White balance" }),
+      ae("label", { class: "line", children: [
+        $("span", { children: "White" }),
+        $(un, { label: "White", quantity: "kelvin", value: t.kelvin, step: 100, set: (n) => ca({ white: { ...t, kelvin: n(t.kelvin) } }) })
       ] }),
-      ne("label", { class: "line", children: [
-        C("span", { children: "Tint" }),
-        C(sn, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => co({ white: { ...t, tint: n(t.tint) } }) })
+      ae("label", { class: "line", children: [
+        $("span", { children: "Tint" }),
+        $(un, { label: "Tint of white", quantity: "number", value: t.tint, step: 1, set: (n) => ca({ white: { ...t, tint: n(t.tint) } }) })
       ] })
     ] }),
-    C("hr", {}),
-    ["expose", "darker", "brighter", "false-colour", "quantity", "units", "marks", "fine", "picture", "command"].map((n) => C(Te, { id: n }, n))
+    $("hr", {}),
+    ["expose", "darker", "brighter", "false-colour", "quantity", "clamped", "units", "marks", "fine", "picture", "command"].map((n) => $(Te, { id: n }, n))
   ] });
 }
-function ip() {
-  return ne(un, { children: [
-    ne("label", { class: "line", children: [
-      C("span", { children: "House lights" }),
-      C(np, { label: "House lights", value: uo.value, text: `${Ol(uo.value * 100)} %`, on: (e) => uo.value = Math.max(0.3, e) })
+function sp() {
+  return ae(cn, { children: [
+    ae("label", { class: "line", children: [
+      $("span", { children: "House lights" }),
+      $(ap, { label: "House lights", value: ua.value, text: `${Wl(ua.value * 100)} %`, on: (e) => ua.value = Math.max(0.3, e) })
     ] }),
-    C("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => C("button", { "aria-pressed": Nl.value === e, onClick: () => Nl.value = e, children: e }, e)) }),
-    C("hr", {}),
-    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => C(Te, { id: e }, e))
+    $("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => $("button", { "aria-pressed": Dl.value === e, onClick: () => Dl.value = e, children: e }, e)) }),
+    $("hr", {}),
+    ["panels", "travel", "listing", "lock", "palette", "help", "save", "share"].map((e) => $(Te, { id: e }, e))
   ] });
 }
 
 // src/later/views.tsx
-import { act as cn, cut as sp, digits as Kl, edit as Bl, go as up, Icon as pt, Range as cp, setCut as pp, signal as mp, storeView as dp, viewName as hp, views as fp } from "./desk.js";
-import { jsx as W, jsxs as po } from "./desk.js";
-var pn = mp(null);
-function gp() {
-  let e = fp.all();
-  return po("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
-    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => cn("home"), children: W(pt, { name: "home" }) }),
-    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => cn("frame"), children: W(pt, { name: "frame" }) }),
-    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => cn("back"), children: W(pt, { name: "back" }) }),
-    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => cn("forth"), children: W(pt, { name: "forth" }) }),
+import { act as pn, cut as up, digits as Bl, edit as Ul, go as cp, Icon as pt, Range as pp, setCut as mp, signal as dp, storeView as hp, viewName as fp, views as gp } from "./desk.js";
+import { jsx as W, jsxs as pa } from "./desk.js";
+var mn = dp(null);
+function bp() {
+  let e = gp.all();
+  return pa("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
+    W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => pn("home"), children: W(pt, { name: "home" }) }),
+    W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => pn("frame"), children: W(pt, { name: "frame" }) }),
+    W("button", { class: "icon", "aria-label": "The view before", title: "The view before (Alt+←)", onClick: () => pn("back"), children: W(pt, { name: "back" }) }),
+    W("button", { class: "icon", "aria-label": "The view after", title: "The view after (Alt+→)", onClick: () => pn("forth"), children: W(pt, { name: "forth" }) }),
     W("span", { class: "divide" }),
-    e.map(([t, n], o) => pn.value === t ? W("span", { class: "field", children: W(
+    e.map(([t, n], a) => mn.value === t ? W("span", { class: "field", children: W(
       "input",
       {
         type: "text",
         "aria-label": "Name of the view",
         value: n.name ?? "",
         maxLength: 60,
-        ref: (a) => a?.focus(),
-        onBlur: (a) => {
-          let l = a.currentTarget.value.trim();
-          pn.value = null, l && l !== n.name && Bl(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
+        ref: (o) => o?.focus(),
+        onBlur: (o) => {
+          let l = o.currentTarget.value.trim();
+          mn.value = null, l && l !== n.name && Ul(`Rename the view ${l}`, { views: { [t]: { ...n, name: l } } });
         },
-        onKeyDown: (a) => {
-          a.stopPropagation(), a.key === "Escape" && (a.currentTarget.value = n.name ?? ""), (a.key === "Enter" || a.key === "Escape") && a.currentTarget.blur();
+        onKeyDown: (o) => {
+          o.stopPropagation(), o.key === "Escape" && (o.currentTarget.value = n.name ?? ""), (o.key === "Enter" || o.key === "Escape") && o.currentTarget.blur();
         }
       }
-    ) }, t) : po(
+    ) }, t) : pa(
       "button",
       {
         class: "saved-view",
-        "aria-pressed": hp.value === n.name,
-        title: `${n.name ?? "View"} (Alt+${o + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => up(n, n.name ?? "view"),
-        onDblClick: () => pn.value = t,
-        onKeyDown: (a) => {
-          a.key === "F2" && (pn.value = t), a.key === "Delete" && (a.stopPropagation(), Bl(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
+        "aria-pressed": fp.value === n.name,
+        title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
+        onClick: () => cp(n, n.name ?? "view"),
+        onDblClick: () => mn.value = t,
+        onKeyDown: (o) => {
+          o.key === "F2" && (mn.value = t), o.key === "Delete" && (o.stopPropagation(), Ul(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
         },
         children: [
-          W("small", { children: o + 1 }),
+          W("small", { children: a + 1 }),
           " ",
           n.name ?? `View ${t + 1}`
         ]
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: dp, children: W(pt, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: hp, children: W(pt, { name: "plus" }) })
   ] });
 }
-function bp() {
-  let e = sp.value;
+function vp() {
+  let e = up.value;
   if (!e) return null;
-  let t = e.height === null ? `${Kl(e.value, 2)} m` : `at ${Kl(e.height, 2)} m`;
-  return po("label", { class: "cut", "data-scroll": !0, children: [
+  let t = e.height === null ? `${Bl(e.value, 2)} m` : `at ${Bl(e.height, 2)} m`;
+  return pa("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      cp,
+      pp,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => pp(n * e.most)
+        on: (n) => mp(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2621,44 +2626,44 @@ function bp() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as vp, useRef as yp } from "./desk.js";
-import { jsx as Ul } from "./desk.js";
-function kp() {
-  let e = yp(null), t = (n) => {
-    let o = n.currentTarget;
-    n.stopPropagation(), n.type === "pointerdown" && o.setPointerCapture(n.pointerId);
-    let a = n.type === "pointerup" || n.type === "pointercancel";
-    if (!a && !o.hasPointerCapture(n.pointerId)) return;
-    let l = o.getBoundingClientRect(), r = (i) => Math.max(-1, Math.min(1, i)), s = a ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), p = a ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
-    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-p * 28}px)`), vp(p, s);
+import { padWalk as yp, useRef as kp } from "./desk.js";
+import { jsx as _l } from "./desk.js";
+function wp() {
+  let e = kp(null), t = (n) => {
+    let a = n.currentTarget;
+    n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
+    let o = n.type === "pointerup" || n.type === "pointercancel";
+    if (!o && !a.hasPointerCapture(n.pointerId)) return;
+    let l = a.getBoundingClientRect(), r = (i) => Math.max(-1, Math.min(1, i)), s = o ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), c = o ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
+    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-c * 28}px)`), yp(c, s);
   };
-  return Ul("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: Ul("span", { ref: e }) });
+  return _l("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: _l("span", { ref: e }) });
 }
 
 // src/later/what.tsx
 import {
-  chosenLamps as _l,
-  closeWhat as Xl,
-  digits as wp,
-  hovered as Yl,
-  Icon as xp,
-  lamps as Mp,
-  maintained as ge,
-  nameOf as Sp,
-  select as Cp,
-  useEffect as $p,
-  useRef as Lp,
-  viewSize as Tp,
-  what as Pp
+  chosenLamps as Xl,
+  closeWhat as Yl,
+  digits as xp,
+  hovered as zl,
+  Icon as Mp,
+  lamps as Sp,
+  maintained as be,
+  nameOf as Cp,
+  select as $p,
+  useEffect as Lp,
+  useRef as Tp,
+  viewSize as Pp,
+  what as Vp
 } from "./desk.js";
-import { jsx as B, jsxs as le } from "./desk.js";
-var Pe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Vp = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Ep() {
-  let e = Pp.value, t = Lp(null);
-  if ($p(() => {
+import { jsx as U, jsxs as le } from "./desk.js";
+var Pe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Ep = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Ip() {
+  let e = Vp.value, t = Tp(null);
+  if (Lp(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, o] = Tp.value, a = [...e.lamps].sort((c, g) => Pe(g) - Pe(c)), l = a.reduce((c, g) => c + Pe(g), 0) || 1, r = a.slice(0, 9), s = l - r.reduce((c, g) => c + Pe(g), 0), p = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, o - 150 - 35 * r.length)), m = e.lux ? `${ge(e.lux[0])} ±${ge(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = Pp.value, o = [...e.lamps].sort((u, b) => Pe(b) - Pe(u)), l = o.reduce((u, b) => u + Pe(b), 0) || 1, r = o.slice(0, 9), s = l - r.reduce((u, b) => u + Pe(b), 0), c = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * r.length)), p = e.lux ? `${be(e.lux[0])} ±${be(e.lux[1], !1)}` : "Measuring…";
   return le(
     "div",
     {
@@ -2667,86 +2672,86 @@ function Ep() {
       "aria-label": "What lights this",
       tabIndex: -1,
       ref: t,
-      style: { left: `${p}px`, top: `${i}px` },
-      onKeyDown: (c) => {
-        c.key === "Escape" && (c.stopPropagation(), Xl(), document.getElementById("view")?.focus());
+      style: { left: `${c}px`, top: `${i}px` },
+      onKeyDown: (u) => {
+        u.key === "Escape" && (u.stopPropagation(), Yl(), document.getElementById("view")?.focus());
       },
       "data-scroll": !0,
       children: [
         le("header", { children: [
-          B("strong", { class: e.done ? "" : "unsettled", children: m }),
-          B("span", { class: "quiet", children: "what lights this" }),
-          B("button", { class: "icon", "aria-label": "Close", onClick: Xl, children: B(xp, { name: "close" }) })
+          U("strong", { class: e.done ? "" : "unsettled", children: p }),
+          U("span", { class: "quiet", children: "what lights this" }),
+          U("button", { class: "icon", "aria-label": "Close", onClick: Yl, children: U(Mp, { name: "close" }) })
         ] }),
         le("ol", { children: [
-          r.map((c) => B(
+          r.map((u) => U(
             "li",
             {
-              onPointerEnter: () => Yl.value = { kind: "lamp", id: c.id },
-              onPointerLeave: () => Yl.value = null,
-              children: le("button", { class: "row", onClick: () => Cp("lamp", c.id), children: [
-                B("span", { class: "name", children: Sp("lamp", c.id) }),
+              onPointerEnter: () => zl.value = { kind: "lamp", id: u.id },
+              onPointerLeave: () => zl.value = null,
+              children: le("button", { class: "row", onClick: () => $p("lamp", u.id), children: [
+                U("span", { class: "name", children: Cp("lamp", u.id) }),
                 le("span", { class: "figure", children: [
-                  wp(100 * Pe(c) / l, Pe(c) / l < 0.0995 ? 1 : 0),
+                  xp(100 * Pe(u) / l, Pe(u) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
                 le("span", { class: "figure lux", children: [
-                  ge(Pe(c)),
+                  be(Pe(u)),
                   " ±",
-                  ge(Vp(c), !1)
+                  be(Ep(u), !1)
                 ] }),
                 le("span", { class: "shares", "aria-hidden": "true", children: [
-                  B("i", { class: "direct", style: { width: `${100 * c.direct[0] / l}%` } }),
-                  B("i", { class: "indirect", style: { width: `${100 * c.indirect[0] / l}%` } }),
-                  B("i", { class: "caustic", style: { width: `${100 * c.caustic[0] / l}%` } })
+                  U("i", { class: "direct", style: { width: `${100 * u.direct[0] / l}%` } }),
+                  U("i", { class: "indirect", style: { width: `${100 * u.indirect[0] / l}%` } }),
+                  U("i", { class: "caustic", style: { width: `${100 * u.caustic[0] / l}%` } })
                 ] }),
                 le("span", { class: "spoken", children: [
                   "direct ",
-                  ge(c.direct[0]),
+                  be(u.direct[0]),
                   ", indirect ",
-                  ge(c.indirect[0]),
+                  be(u.indirect[0]),
                   ", caustic",
                   " ",
-                  ge(c.caustic[0])
+                  be(u.caustic[0])
                 ] })
               ] })
             },
-            c.id
+            u.id
           )),
-          a.length > r.length && le("li", { class: "quiet", children: [
-            a.length - r.length === 1 ? "one more" : `${a.length - r.length} more together`,
+          o.length > r.length && le("li", { class: "quiet", children: [
+            o.length - r.length === 1 ? "one more" : `${o.length - r.length} more together`,
             ": ",
-            ge(s)
+            be(s)
           ] }),
-          !a.length && B("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
+          !o.length && U("li", { class: "quiet", children: e.done ? "No lamp reaches this point." : "Gathering light…" })
         ] }),
         le("footer", { children: [
-          B("span", { class: "key direct", children: "direct" }),
-          B("span", { class: "key indirect", children: "indirect" }),
-          B("span", { class: "key caustic", children: "caustic" }),
-          B("span", { class: "gap" }),
-          _l.value.some((c) => Mp.get(c)?.place?.direction) && B("button", { onClick: () => ze(_l.peek(), e.hit.point), children: "Aim here" }),
-          B("button", { onClick: () => Ze(e.hit.point, e.hit.normal), children: "Meter here" })
+          U("span", { class: "key direct", children: "direct" }),
+          U("span", { class: "key indirect", children: "indirect" }),
+          U("span", { class: "key caustic", children: "caustic" }),
+          U("span", { class: "gap" }),
+          Xl.value.some((u) => Sp.get(u)?.place?.direction) && U("button", { onClick: () => ze(Xl.peek(), e.hit.point), children: "Aim here" }),
+          U("button", { onClick: () => Ze(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
     }
   );
 }
 export {
-  Ts as Compare,
-  bp as CutBar,
-  pi as Gizmo,
-  Wu as Inspector,
-  Ju as Legend,
-  ip as PageItems,
-  rp as SeeingItems,
-  Wc as SheetHead,
-  Kc as SheetRow,
-  Ec as Sheets,
-  Jc as Strip,
-  Pi as TypedHint,
-  ap as ViewItems,
-  gp as ViewStrip,
-  kp as WalkPad,
-  Ep as What
+  Os as Compare,
+  vp as CutBar,
+  Si as Gizmo,
+  tc as Inspector,
+  rr as Legend,
+  sp as PageItems,
+  ip as SeeingItems,
+  Kc as SheetHead,
+  Bc as SheetRow,
+  Ic as Sheets,
+  ep as Strip,
+  Wi as TypedHint,
+  lp as ViewItems,
+  bp as ViewStrip,
+  wp as WalkPad,
+  Ip as What
 };

@@ -144,8 +144,8 @@ export interface Grid {
 }
 
 export interface FalseColor {
-    /** A difference is one of illuminance, to a look. */
-    quantity: 'illuminance' | 'luminance' | 'difference';
+    /** A difference is one of illuminance, to a look; clamped is a share in percent. */
+    quantity: 'illuminance' | 'luminance' | 'difference' | 'clamped';
     against?: Id | null;
     low: number;
     high: number;

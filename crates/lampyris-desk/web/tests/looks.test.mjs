@@ -73,6 +73,23 @@ test('the difference to a look is asked for, has a legend with signs about zero,
     await page.waitForSelector('.legend', { state: 'detached' });
 });
 
+test('the share that clamping takes is asked for by its name, in percent from 0 on', async () => {
+    await page.keyboard.press('Control+k');
+    await page.keyboard.type('clamping');
+    await page.keyboard.press('Enter');
+    await until(() => last('display')?.patch.false_color?.quantity === 'clamped', 'it was not asked for');
+    const legend = page.locator('.legend');
+    await legend.getByText('clamped').waitFor();
+    assert.equal(await legend.getByRole('slider').count(), 1);
+    await legend.getByRole('button', { name: '0–10', exact: true }).click();
+    await until(() => last('display').patch.false_color.high === 10, 'it was not set');
+    assert.equal(last('display').patch.false_color.low, 0);
+    await legend.getByRole('button', { name: '%: clamped, change' }).click();
+    await until(() => last('display').patch.false_color.quantity === 'illuminance', 'it did not end');
+    await page.getByRole('button', { name: 'False colour', exact: true }).click();
+    await page.waitForSelector('.legend', { state: 'detached' });
+});
+
 test('meters and areas tell the change', async () => {
     assert.match(await page.locator('.reading', { hasText: 'Desk' }).innerText(), /Δ \+120 lx/);
     assert.match(await page.locator('.reading', { hasText: 'Area' }).innerText(), /Δ −35\.0 lx/);

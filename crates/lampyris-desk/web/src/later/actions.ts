@@ -9,6 +9,7 @@ import {
     type Preset,
 } from '../desk';
 import { difference } from './differ';
+import { CLAMPED } from './legend';
 import { group, ungroup, whyNotGroup, whyNotUngroup } from './grouping';
 import { most } from './most';
 import { goThere, whyNotThere } from './there';
@@ -113,7 +114,7 @@ const list: Action[] = [
         id: 'quantity', group: 'Seeing', label: 'False colour of lux or of cd/m²', keys: 'Shift+B',
         run: () => {
             const now = falseColor();
-            if (now.against != null) show({ false_color: DEFAULT_FALSE });
+            if (now.against != null || now.quantity === 'clamped') show({ false_color: DEFAULT_FALSE });
             else show({ false_color: { ...asked(now), quantity: now.quantity === 'illuminance' ? 'luminance' : 'illuminance' } });
         },
     },
@@ -125,6 +126,7 @@ const list: Action[] = [
             else show({ false_color: difference(last) });
         },
     },
+    { id: 'clamped', group: 'Seeing', label: 'What clamping takes, and short rays pay back', run: () => show({ false_color: CLAMPED }) },
     { id: 'darker', group: 'Seeing', label: 'Darker by a third of a stop', keys: ',', run: () => exposeBy(1) },
     { id: 'brighter', group: 'Seeing', label: 'Brighter by a third of a stop', keys: '.', run: () => exposeBy(-1) },
     { id: 'expose', group: 'Seeing', label: 'Meter the exposure once', keys: '/', run: () => send({ do: 'expose' }) },

@@ -3,6 +3,9 @@
 import { asked, candles, DEFAULT_FALSE, display, Field, looks, show, three, useRef, type FalseColor } from '../desk';
 import { about } from './differ';
 
+/** The share of light that clamping takes from virtual lights [%]. */
+export const CLAMPED: FalseColor = { quantity: 'clamped', low: 0, high: 50, scale: 'linear', palette: 'even', lines: false };
+
 const STEPS = [1, 2, 5];
 
 /** Values of the 1-2-5 series from one end to the other. */
@@ -49,9 +52,10 @@ export function Legend() {
     if (!f) return null;
     const fc = candles.value === 'fc';
     const differs = f.quantity === 'difference';
+    const share = f.quantity === 'clamped';
     const illuminance = f.quantity !== 'luminance';
-    const unit = illuminance ? (fc ? 'fc' : 'lx') : fc ? 'fL' : 'cd/m²';
-    const factor = fc ? (illuminance ? 1 / 10.7639 : 0.2919) : 1;
+    const unit = share ? '%' : illuminance ? (fc ? 'fc' : 'lx') : fc ? 'fL' : 'cd/m²';
+    const factor = fc && !share ? (illuminance ? 1 / 10.7639 : 0.2919) : 1;
     const bar = f.colors?.length ? `linear-gradient(to top, ${f.colors.join(', ')})` : undefined;
     const marks = f.ticks ?? ticks(f.low, f.high, f.scale).map((v) => [v, place(v, f)]);
 
@@ -84,7 +88,7 @@ export function Legend() {
     });
     const End = ({ end }: { end: 'low' | 'high' }) => (
         <div class="end">
-            <span
+            {share && end === 'low' ? null : <span
                 class="grip"
                 role="slider"
                 tabIndex={0}
@@ -94,8 +98,8 @@ export function Legend() {
                 aria-valuemax={1000000}
                 aria-valuetext={`${three(f[end] * factor)} ${unit}`}
                 {...ends(end)}
-            />
-            {differs && end === 'low' ? <output>{label(f.low * factor)}</output> : <Field
+            />}
+            {(differs || share) && end === 'low' ? <output>{label(f.low * factor)}</output> : <Field
                 label={end === 'low' ? 'Lower end' : 'Upper end'}
                 quantity="number"
                 value={Number((f[end] * factor).toPrecision(3))}
@@ -108,13 +112,14 @@ export function Legend() {
             <header>
                 <button
                     aria-label={`${unit}: ${differs ? 'difference' : f.quantity}, change`}
-                    onClick={() => (differs ? show({ false_color: DEFAULT_FALSE }) : set(f, { quantity: illuminance ? 'luminance' : 'illuminance' }))}
+                    onClick={() => (differs || share ? show({ false_color: DEFAULT_FALSE }) : set(f, { quantity: illuminance ? 'luminance' : 'illuminance' }))}
                 >
                     {differs ? `Δ ${unit}` : unit}
                 </button>
-                {!differs && <button aria-pressed={f.scale === 'log'} onClick={() => set(f, { scale: f.scale === 'log' ? 'linear' : 'log' })}>log</button>}
+                {!differs && !share && <button aria-pressed={f.scale === 'log'} onClick={() => set(f, { scale: f.scale === 'log' ? 'linear' : 'log' })}>log</button>}
                 <button aria-pressed={f.lines} onClick={() => set(f, { lines: !f.lines })}>lines</button>
             </header>
+            {share && <p class="quiet" title="What clamping takes from virtual lights close by, of all that comes to the eye. The picture has it: short rays pay it back. While something moves, pictures lack it.">clamped</p>}
             {differs && (
                 <p class="quiet" title={f.exact === false ? 'Lamps that differ in the look share a layer of light: what is shown of them is their mean.' : undefined}>
                     {f.exact === false ? '≈ ' : ''}now − {looks.get(f.against)?.name ?? 'look'}
@@ -130,6 +135,8 @@ export function Legend() {
             <footer>
                 {differs ? (
                     [50, 500].map((high) => <button key={high} onClick={() => set(f, { high })}>±{high}</button>)
+                ) : share ? (
+                    [10, 50].map((high) => <button key={high} onClick={() => set(f, { low: 0, high })}>0–{high}</button>)
                 ) : (
                     <>
                         <button onClick={() => set(f, { low: 0.1, high: 100, scale: 'log' })}>0.1–100</button>

@@ -74,7 +74,7 @@ export function SeeingItems() {
                 </label>
             </fieldset>
             <hr />
-            {['expose', 'darker', 'brighter', 'false-colour', 'quantity', 'units', 'marks', 'fine', 'picture', 'command'].map((id) => <Item key={id} id={id} />)}
+            {['expose', 'darker', 'brighter', 'false-colour', 'quantity', 'clamped', 'units', 'marks', 'fine', 'picture', 'command'].map((id) => <Item key={id} id={id} />)}
         </>
     );
 }
