@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn a_power_has_its_exponent() {
-        let points: Vec<[f64; 2]> = (1..9).map(|n| f64::from(n)).map(|n| [n, 3.0 / (n * n)]).collect();
+        let points: Vec<[f64; 2]> = (1..9).map(f64::from).map(|n| [n, 3.0 / (n * n)]).collect();
         assert!((slope(&points) + 2.0).abs() < 1e-12);
     }
 }
