@@ -4,15 +4,19 @@ mod support;
 
 use glam::Vec3;
 use lampyris::Rgb;
+use lampyris::backend::{Batch, Settings};
 use lampyris::elements::{ClosedCube, Criterion, ElementLight, Elements, converge};
+use lampyris::import;
 use lampyris::light::{Beam, LightKind};
-use lampyris::material::{Bsdf, Class, Sides};
+use lampyris::material::{Bsdf, Class, Diffuse, Sides, Ward};
+use lampyris::particle::{Plan, Walk};
 use lampyris::scatter::{Ending, Inversion, PAPER_REFLECTIONS, RandomWalk, Rules};
 use lampyris::sequence::Generator;
 use lampyris::testing::{Moments, sidak};
 use lampyris::world::World;
 use std::f64::consts::PI;
-use support::{Build, diffuse, gloss, say};
+use std::path::Path;
+use support::{Build, diffuse, gloss, say, settings};
 
 /// A closed unit cube of one material that emits 1/4.
 fn cube(bsdf: Bsdf) -> World {
@@ -143,7 +147,7 @@ fn cells(cells: [usize; 2], f: impl Fn(Vec3) -> f64) -> Vec<f64> {
 /// In a closed room of Ward's material each generation carries the share of the last that the albedo says, angle by angle.
 #[test]
 fn a_closed_room_of_gloss_keeps_the_light_that_its_albedo_says() {
-    const NODES: usize = 128;
+    const NODES: usize = 64;
     let mut p_values = Vec::new();
     for (base, specular, alpha) in [(0.2, 0.7, 0.2), (0.1, 0.8, 0.12)] {
         let bsdf = gloss(base, specular, alpha);
@@ -161,7 +165,7 @@ fn a_closed_room_of_gloss_keeps_the_light_that_its_albedo_says() {
         };
         let world = cube(bsdf);
         for ending in [Ending::After(5), Ending::Roulette] {
-            let mut differences = vec![Moments::default(); 4];
+            let mut differences = [Moments::default(); 4];
             let mut kept = 0.0;
             for seed in 0..16 {
                 let walk = RandomWalk::new(&world, Rules { ending, seed, ..Rules::default() });
@@ -286,6 +290,125 @@ fn elements_tile_the_surface() {
     // 40 000 arrivals, about a hundred on each: equal areas of equal light.
     assert!(seen.iter().all(|n| (60..150).contains(n)), "{seen:?}");
     assert!(Elements::new(&world, 1e-5).is_err() && Elements::halved(&world, 30).is_err());
+    assert!([0.0, -1.0, f32::NAN].into_iter().all(|size| Elements::new(&world, size).is_err()));
     assert_eq!(Elements::new(&world, f32::INFINITY).expect("whole").len(), 12);
     assert!(ClosedCube::new(25).is_err() && ClosedCube::new(0).is_err() && ClosedCube::new(36).is_err());
+}
+
+/// A curtain sends its shares to both sides, whatever is inverted.
+#[test]
+fn light_passes_a_curtain() {
+    let base = Diffuse { reflectance: Rgb::grey(0.3), transmittance: Rgb::grey(0.5) };
+    let gloss = Ward {
+        base,
+        specular: Rgb::grey(0.1),
+        alpha: 0.3,
+        transmission: Rgb::BLACK,
+        transmission_alpha: 0.0,
+    };
+    for (bsdf, gloss) in [(Bsdf::Diffuse(base), 0.0), (Bsdf::Ward(gloss), 0.1)] {
+        let mut b = Build::default();
+        let (black, curtain) = (b.grey(0.0), b.material(bsdf, 0.0, Sides::Both));
+        b.room(Vec3::ZERO, Vec3::splat(2.0), [black; 6]);
+        b.quad(Vec3::new(0.0, 0.0, 1.0), Vec3::X * 2.0, Vec3::Y * 2.0, curtain);
+        b.light(LightKind::Directional { direction: -Vec3::Z, illuminance: Rgb::WHITE });
+        // Through the ceiling, which lets light in from behind.
+        b.0.materials[black as usize].sides = Sides::FrontOnly;
+        let world = World::new(b.0);
+        for inversion in [Inversion::Nothing, Inversion::Cosine, Inversion::Bsdf] {
+            for ending in [Ending::After(2), Ending::Roulette] {
+                let walk = RandomWalk::new(&world, Rules { inversion, ending, ..Rules::default() });
+                let (mut first, mut sides) = (0.0, [0.0, 0.0]);
+                for path in 0..1 << 15 {
+                    walk.path(path, |a| match a.bounces {
+                        0 => first += f64::from(a.flux.g),
+                        _ => sides[usize::from(a.from().z > 0.0)] += f64::from(a.flux.g),
+                    });
+                }
+                let [up, down] = sides.map(|s| s / first);
+                // At 0° the lobe of α = 0.3 has the albedo 0.91.
+                let due = 0.3 + 0.91 * gloss;
+                say(format_args!("{inversion:?}, {ending:?}: {up:.4} of {due}, {down:.4} of 0.5"));
+                assert!((up - due).abs() < 0.005 && (down - 0.5).abs() < 0.005, "{inversion:?}: {up} {down}");
+            }
+        }
+    }
+}
+
+/// In the office both walks bring all surfaces the same light, to be sent on diffusely: this one and that of the virtual lights.
+#[test]
+fn it_brings_the_light_of_the_other_walk() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/office.mgf");
+    let world = World::new(import::load(&file, &import::Options::default()).expect("readable").scene);
+    let elements = Elements::new(&world, f32::INFINITY).expect("few");
+    let of_walk = |seed| {
+        let walk = RandomWalk::new(&world, Rules { seed, ..Rules::default() });
+        let light = ElementLight::of(&walk, &elements, 0..4096);
+        let sent = (0..elements.len() as u32)
+            .map(|k| f64::from(light.radiance(&elements, k).luminance() * elements.area(k)) * PI);
+        sent.sum::<f64>()
+    };
+    let of_particles = |seed| {
+        let settings = Settings { interleave: [1, 1], ..settings(support::FAST, 4096, 1, seed) };
+        let plan = Plan::new(&world, &settings);
+        let walk = Walk::new(&world, &settings, &plan, Batch { index: 0 });
+        let sent = walk.vpls.iter().map(|v| match &v.gloss {
+            None => f64::from(v.intensity.luminance()) * PI,
+            Some(surface) => f64::from((v.intensity * surface.albedo(Class::Dull)).luminance()),
+        });
+        sent.sum::<f64>()
+    };
+    let (a, b): (Moments, Moments) = ((0..16).map(of_walk).collect(), (0..16).map(of_particles).collect());
+    say(format_args!(
+        "1996: {:.1} ± {:.1} lm, 1997: {:.1} ± {:.1}",
+        a.mean(),
+        a.standard_error(),
+        b.mean(),
+        b.standard_error()
+    ));
+    assert!(a.p_value_against(&b) > 0.01, "{} and {}", a.mean(), b.mean());
+    assert!(a.standard_error() < 0.01 * a.mean(), "a test of nothing");
+}
+
+/// Where nothing is ever absorbed roulette ends paths all the same, and loses no light by it.
+#[test]
+fn white_rooms_are_left_alive() {
+    let world = cube(diffuse(1.0));
+    let mut generations: Vec<Moments> = vec![Moments::default(); 20];
+    for seed in 0..16 {
+        let brought = arriving(&world, Rules { seed, ..Rules::default() }, 0..1024);
+        assert!(brought.len() > 100 && brought.len() <= 1024);
+        brought.iter().zip(&mut generations).for_each(|(b, moments)| moments.push(*b));
+    }
+    for (j, moments) in generations.iter().enumerate() {
+        let off = (moments.mean() - 0.25).abs();
+        assert!(off < 1e-6 || moments.p_value(0.25) > sidak(0.01, 20), "{j}: {}", moments.mean());
+    }
+}
+
+/// The rule stops where its formula says, and not before: Δ worked out anew from the light of N₁ and of N₂ paths.
+#[test]
+fn the_rule_is_its_formula() {
+    let world = cube(gloss(0.5, 0.2, 0.2));
+    let elements = Elements::halved(&world, 2).expect("few");
+    let walk = RandomWalk::new(&world, Rules::default());
+    let criterion = Criterion { epsilon: 1e-3, step: 500, times: 3, most: 100_000 };
+    let done = converge(&walk, &elements, &criterion);
+    let light = |n: usize| ElementLight::of(&walk, &elements, 0..500 * n as u32).radiances(&elements);
+    let k = elements.len() as f64;
+    for (n, change) in (1..).zip(&done.changes) {
+        let squares = light(n).into_iter().zip(light(n + 1)).map(|(a, b)| {
+            [a.r - b.r, a.g - b.g, a.b - b.b].map(|d| f64::from(d).powi(2)).iter().sum::<f64>()
+        });
+        // Areas are equal; Σ L₀ |A| = ¼ · 6.
+        let expected = (squares.sum::<f64>() / (k * k)).sqrt() / 1.5;
+        assert!((change / expected - 1.0).abs() < 1e-3, "{n}: {change} for {expected}");
+    }
+    let below: Vec<bool> = done.changes.iter().map(|c| *c < 1e-3).collect();
+    let first = below.windows(3).position(|w| w == [true; 3]).expect("it stops");
+    assert_eq!(done.changes.len(), first + 3);
+    assert_eq!(done.paths, Some(500 * (first as u32 + 4)), "N₁ = (n + t) ΔN, n from 1, and ΔN more");
+    assert_eq!((done.light.paths(), done.light.rays() > 4000), (u64::from(done.paths.unwrap()), true));
+    let impatient = converge(&walk, &elements, &Criterion { most: 1400, ..criterion });
+    assert_eq!((impatient.paths, impatient.light.paths(), impatient.changes.len()), (None, 1000, 1));
 }

@@ -11,18 +11,18 @@
 //! The rule watches how much an estimate changes, not how wrong it is: a sequence of low discrepancy errs less than
 //! a random one that stops with it (docs/light-transport.md).
 
-use super::light::leave;
 use super::{ElementLight, Elements};
 use crate::color::Rgb;
 use crate::scatter::RandomWalk;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Steps that are walked at once, before each is looked at in its turn.
 const WAVE: u32 = 8;
 
 /// When to stop.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Criterion {
     /// ε [m⁻²].
     pub epsilon: f64,
@@ -68,7 +68,7 @@ pub fn converge(walk: &RandomWalk<'_>, elements: &Elements, criterion: &Criterio
     let (mut held, mut walked) = (0, 0);
     let scale = 1.0 / (emitted(walk) * (elements.len() as f64 * elements.total_area()).sqrt());
     while walked < most / step {
-        let wave = walked..(walked + WAVE).min(most / step);
+        let wave = walked..walked.saturating_add(WAVE).min(most / step);
         let pieces: Vec<(Vec<(u32, Rgb)>, u64)> =
             wave.into_par_iter().map(|n| piece(walk, elements, n * step, step)).collect();
         for (left, rays) in pieces {
@@ -95,7 +95,7 @@ fn piece(walk: &RandomWalk<'_>, elements: &Elements, first: u32, count: u32) -> 
     let (mut left, mut rays) = (Vec::new(), 0);
     for number in first..first + count {
         rays += u64::from(walk.path(number, |arrival| {
-            leave(walk.world(), elements, arrival, |element, flux| left.push((element, flux)));
+            elements.lit_by(walk.world(), arrival, |element, flux| left.push((element, flux)));
         }));
     }
     (left, rays)

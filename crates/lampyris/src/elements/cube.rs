@@ -40,7 +40,7 @@ impl ClosedCube {
     /// With K = 12, 24, 48, 96 … patches: its twelve triangles, halved again and again. Others are an error.
     pub fn new(patches: u32) -> Result<ClosedCube> {
         let halves = patches / 12;
-        if patches % 12 != 0 || !halves.is_power_of_two() {
+        if !patches.is_multiple_of(12) || !halves.is_power_of_two() {
             let reason = format!("a cube of {patches} patches: there are 12, 24, 48, 96 …");
             return Err(Error::BadSetting(reason));
         }

@@ -36,7 +36,7 @@ impl ElementLight {
             let wave = start..numbers.end.min(start.saturating_add(WAVE));
             light.paths += u64::from(wave.end - wave.start);
             for (left, rays) in walk.paths(wave, |left: &mut Vec<(u32, Rgb)>, arrival| {
-                leave(world, elements, arrival, |element, flux| left.push((element, flux)));
+                elements.lit_by(world, arrival, |element, flux| left.push((element, flux)));
             }) {
                 light.add(&left, 0, rays);
             }
@@ -83,20 +83,17 @@ impl ElementLight {
     }
 }
 
-/// Calls `add` with each element on which an arrival leaves light, and the flux that it sends on diffusely, of a path that
-/// were the only one [lm].
-pub(super) fn leave(
-    world: &World,
-    elements: &Elements,
-    arrival: &Arrival<'_>,
-    mut add: impl FnMut(u32, Rgb),
-) {
-    let Some(flux) = arrival.lit() else { return };
-    let front = arrival.surface.front;
-    let [reflected, passed] = shares(arrival);
-    for (share, front) in [(reflected, front), (passed, !front)] {
-        if let (false, Some(element)) = (share.is_black(), elements.at(world, &arrival.hit, front)) {
-            add(element, flux * share);
+impl Elements {
+    /// Calls `add` with each element on which an arrival leaves light, and the flux that it sends on diffusely, of a path that
+    /// were the only one [lm]: on the side of arrival, and on the other where light passes.
+    pub fn lit_by(&self, world: &World, arrival: &Arrival<'_>, mut add: impl FnMut(u32, Rgb)) {
+        let Some(flux) = arrival.lit() else { return };
+        let front = arrival.surface.front;
+        let [reflected, passed] = shares(arrival);
+        for (share, front) in [(reflected, front), (passed, !front)] {
+            if let (false, Some(element)) = (share.is_black(), self.at(world, &arrival.hit, front)) {
+                add(element, flux * share);
+            }
         }
     }
 }

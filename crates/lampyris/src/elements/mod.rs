@@ -49,16 +49,20 @@ struct Cut {
 }
 
 impl Elements {
-    /// Parts none of whose edges is longer than `size` [m]; infinite leaves facets whole. An error if they are too many.
+    /// Parts none of whose edges is longer than `size` [m]; infinite leaves facets whole. An error if they are too
+    /// many, or of no size.
     pub fn new(world: &World, size: f32) -> Result<Elements> {
-        Elements::cut(world, &|corners| {
-            let fine =
-                |n: u32| (0..1 << n).all(|part| !(longest(&part_of(corners, part, n).0).1 > size * size));
-            (0..MOST_HALVINGS).find(|n| fine(*n))
-        })
-        .ok_or_else(|| {
+        let too_many = || {
             Error::BadSetting(format!("elements of {size} m are more than {MOST_ELEMENTS}: make them larger"))
-        })
+        };
+        if size.is_nan() || size <= 0.0 {
+            return Err(Error::BadSetting(format!("elements of {size} m: their size is more than nothing")));
+        }
+        let fine = |corners: &[Vec3; 3], n: u32| {
+            (0..1 << n).all(|part| longest(&part_of(corners, part, n).0).1 <= size * size)
+        };
+        let halvings = |corners: &[Vec3; 3]| (0..MOST_HALVINGS).find(|n| fine(corners, *n));
+        Elements::cut(world, &halvings).ok_or_else(too_many)
     }
 
     /// Every facet halved so many times; an error if elements are too many.

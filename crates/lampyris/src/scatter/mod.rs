@@ -19,6 +19,7 @@ use crate::world::{Surface, World};
 use bounce::{Bounce, Die};
 use glam::Vec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 pub use start::Lamps;
@@ -33,7 +34,7 @@ pub const MAX_ARRIVALS: u32 = 1024;
 pub const PAPER_REFLECTIONS: u32 = 7;
 
 /// How light is followed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Rules {
     /// Where numbers come from.
     pub generator: Generator,
@@ -46,7 +47,7 @@ pub struct Rules {
 }
 
 /// How much of the integrand is inverted: what is not becomes a weight [Keller96, eqs. 4.5–4.7].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Inversion {
     /// Nothing: θ and φ are uniform (4.5).
     Nothing,
@@ -58,7 +59,7 @@ pub enum Inversion {
 }
 
 /// How a path ends, unless it leaves the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Ending {
     /// With its M-th arrival: Σ_{j≤M} Tʲ L₀, a little too little.
     After(u32),

@@ -4,7 +4,7 @@
 use super::Generator;
 
 /// Boxes that the exact star discrepancy may look at.
-const MOST_BOXES: f64 = 4e9;
+const MOST_BOXES: f64 = 1e9;
 
 /// Points of the unit cube in some dimensions.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ const MOST_DIGITS: usize = 64;
 
 /// The first prime from `s` on, the base for s dimensions: 2 at least.
 pub fn base(s: u32) -> u32 {
-    let prime = |n: &u32| (2..).take_while(|k| k * k <= *n).all(|k| n % k != 0);
+    let prime = |n: &u32| (2..).take_while(|k| k * k <= *n).all(|k| !n.is_multiple_of(k));
     (s.clamp(2, 65_521)..).find(prime).unwrap_or(2)
 }
 
