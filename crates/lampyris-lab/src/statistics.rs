@@ -36,6 +36,14 @@ pub(crate) fn relative_square(ours: &[Rgb], truth: &[Rgb]) -> f64 {
     ours.iter().zip(truth).map(of).sum::<f64>() / truth.len().max(1) as f64
 }
 
+/// The median of |a − b|/b of luminances where there is light: what happens at edges, in few pixels, does not show.
+pub(crate) fn median_relative(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let pairs = ours.iter().zip(truth).map(|(a, b)| (f64::from(a.luminance()), f64::from(b.luminance())));
+    let mut errors: Vec<f64> = pairs.filter(|(_, b)| *b > 0.0).map(|(a, b)| (a - b).abs() / b).collect();
+    errors.sort_by(f64::total_cmp);
+    errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
 /// Mean luminance.
 pub(crate) fn mean(picture: &[Rgb]) -> f64 {
     picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len().max(1) as f64

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::stage::{CORNELL, picture};
-use crate::statistics::relative_square;
+use crate::statistics::median_relative;
 use lampyris::Rgb;
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
@@ -55,24 +55,23 @@ fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
             "one frame of the Cornell box, {} × {} pixels, against many batches; the mean of {draws} frames",
             size[0], size[1]
         ),
-        ["", "shadow rays a pixel", "root of the mean relative square error [%]"],
+        ["", "shadow rays a pixel", "median relative error of pixels [%]"],
     );
     let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
     let (mut images, mut errors) = (Vec::new(), Vec::new());
     for (number, (name, edge, filter)) in cases.into_iter().enumerate() {
-        let (mut square, mut rays) = (0.0, 0.0);
+        let (mut error, mut rays) = (0.0, 0.0);
         for draw in 0..draws {
             let settings = Settings { seed: draw, ..settings(per_path, edge, filter) };
             cpu.restart(Eye::Camera(view.clone()), &settings)?;
             effort.add(&mut cpu, Batch { index: 0 })?;
             let shown = cpu.frame()?.shown();
-            square += relative_square(&shown, &truth) / f64::from(draws);
+            error += 100.0 * median_relative(&shown, &truth) / f64::from(draws);
             rays += cpu.statistics().rays.shadow as f64 / f64::from(size[0] * size[1]) / f64::from(draws);
             if draw == 0 {
                 images.push(Image::of_light(name, picture(&view, shown), exposure).zoomed(zoom));
             }
         }
-        let error = 100.0 * square.sqrt();
         table.row([name.into(), digits(rays), digits(error)]);
         errors.push(error);
         effort.step(number + 2, 6)?;
