@@ -8,72 +8,19 @@
 use crate::cli::BenchArgs;
 use crate::failure::Failure;
 use crate::{interrupt, say};
-use glam::Vec3;
 use lampyris::Error;
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
-use lampyris::geometry::Ray;
 use lampyris::import::{self, Options};
 use lampyris::particle::{Plan, Walk};
-use lampyris::scene::{Camera, View, find_view};
+use lampyris::scene::View;
 use lampyris::world::World;
+use lampyris_lab::workload::{WORKLOADS, Workload};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
-
-/// The workload of a scene: samples a pixel on lights and on surfaces, caustic photons, and the longest path.
-pub(crate) struct Workload {
-    file: &'static str,
-    light_points: u32,
-    vpls: u32,
-    /// In all, where there is glass.
-    photons: u32,
-    longest: Option<u32>,
-    /// Eye, target and vertical field of view [m, degrees], z up; else the scene's camera or a found view.
-    view: Option<([f32; 3], [f32; 3], f32)>,
-}
-
-/// The scenes that ship, each with the samples that the paper gives the one of its kind.
-const WORKLOADS: &[Workload] = &[
-    Workload { file: "office.mgf", photons: 4000, ..OTHERS },
-    Workload {
-        file: "table.mgf",
-        photons: 500,
-        longest: Some(4),
-        view: Some(([4.53, 0.39, 1.6], [1.74, 2.53, 1.25], 65.0)),
-        ..OTHERS
-    },
-    Workload {
-        file: "egg.mgf",
-        light_points: 10,
-        vpls: 20,
-        photons: 3000,
-        longest: Some(4),
-        view: Some(([4.35, 0.92, 1.6], [1.87, 3.4, 1.25], 65.0)),
-    },
-    Workload {
-        file: "foyer.mgf",
-        vpls: 9,
-        photons: 500,
-        longest: Some(4),
-        view: Some(([2.5, 0.45, 1.6], [4.3, 4.6, 1.35], 66.0)),
-        ..OTHERS
-    },
-    Workload {
-        file: "conference.mgf",
-        light_points: 5,
-        vpls: 20,
-        longest: Some(4),
-        view: Some(([0.39, 6.83, 1.6], [6.99, 3.02, 0.84], 65.0)),
-        ..OTHERS
-    },
-];
-
-/// Of scenes that do not ship.
-const OTHERS: Workload =
-    Workload { file: "", light_points: 4, vpls: 18, photons: 0, longest: None, view: None };
 
 /// What `--json` prints of one measurement; milliseconds are wall time.
 #[derive(Serialize)]
@@ -99,7 +46,7 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
     let own = |w: &'static Workload| (args.scenes.join(w.file), w);
     let scenes: Vec<(PathBuf, &Workload)> = match args.scene.as_slice() {
         [] => WORKLOADS.iter().map(own).collect(),
-        given => given.iter().map(|file| (file.clone(), workload_of(file))).collect(),
+        given => given.iter().map(|file| (file.clone(), Workload::of(file))).collect(),
     };
     let cores = std::thread::available_parallelism().map_or(1, |n| n.get() as u32);
     let threads = match args.threads.as_slice() {
@@ -116,7 +63,7 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
             }
             let mut machine = Machine::new(file, workload, *threads, args)?;
             let nothing = || Error::BadSetting("nothing to measure".into());
-            let settings = wald(machine.backend.world().ok_or_else(nothing)?, workload);
+            let settings = workload.settings(machine.backend.world().ok_or_else(nothing)?);
             rows.push(machine.measure("wald", settings)?);
             if args.picked {
                 rows.push(machine.measure("picked", Settings::interactive())?);
@@ -129,12 +76,6 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<ExitCode, Failure> {
         say::result(&table(&rows))?
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The workload that the paper gives a scene of ours, by the file's name, or the usual one.
-pub(crate) fn workload_of(file: &Path) -> &'static Workload {
-    let name = file.file_name();
-    WORKLOADS.iter().find(|w| name == Some(w.file.as_ref())).unwrap_or(&OTHERS)
 }
 
 /// A scene on a number of threads.
@@ -158,16 +99,7 @@ impl<'a> Machine<'a> {
         let world = backend.install(|| World::new(scene));
         let (width, height) = args.size;
         let aspect = width as f32 / height as f32;
-        let camera = match (workload.view, world.scene().cameras.first()) {
-            (Some((eye, target, fov_y)), _) => {
-                Camera { name: String::new(), eye: eye.into(), target: target.into(), up: Vec3::Z, fov_y }
-            }
-            (None, Some(camera)) => camera.clone(),
-            _ => {
-                let closest = |ray: &Ray| world.tracer().closest(ray);
-                backend.install(|| find_view(world.scene(), &closest, aspect).camera)
-            }
-        };
+        let camera = backend.install(|| workload.camera(&world, aspect));
         let eye = Eye::Camera(View::new(&camera, width, height));
         backend.begin_world(world, eye.clone(), &Settings::interactive())?;
         Ok(Machine { backend, eye, file, threads, args })
@@ -233,34 +165,6 @@ struct PerFrame {
     eye: f64,
     shadow: f64,
     vpls: f64,
-}
-
-/// The paper's workload: so many paths that a class has the virtual lights asked for in the mean.
-pub(crate) fn wald(world: &World, workload: &Workload) -> Settings {
-    const CLASSES: u32 = 9;
-    let glass = world.scene().materials.iter().any(|m| m.bsdf.is_solid_interface());
-    let caustics = (glass && workload.photons > 0).then_some("caustic");
-    let settings = Settings {
-        parts: ["emission", "direct", "vpl"].into_iter().chain(caustics).map(String::from).collect(),
-        photons: workload.photons.max(1),
-        paths: CLASSES * 64,
-        passes: Some(1),
-        interleave: [3, 3],
-        light_points: Some(CLASSES * workload.light_points),
-        // More than there are: only where eye paths split, the second ones pick.
-        picks: Some(1 << 16),
-        longest: workload.longest,
-        filter: true,
-        edges: 0,
-        ..Settings::default()
-    };
-    let plan = Plan::new(world, &settings);
-    let tried: usize =
-        (0..4).map(|index| Walk::new(world, &settings, &plan, Batch { index }).vpls.len()).sum();
-    let per_path = tried as f64 / f64::from(4 * settings.paths);
-    let paths = f64::from(CLASSES * workload.vpls) / per_path.max(1e-3);
-    let paths = (paths.round() as u32).max(CLASSES * workload.light_points);
-    Settings { paths, ..settings }
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {

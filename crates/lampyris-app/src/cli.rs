@@ -60,6 +60,16 @@ Examples:
 
 Ctrl-C ends the desk; closing the page does not. The link holds a secret: who has it edits.";
 
+const LAB_EXAMPLES: &str = "\
+Examples:
+  lampyris lab list
+  lampyris lab run all --quick
+      a page report/index.html of all experiments, with small settings
+  lampyris lab run keller97-figure-8 -o /tmp/report
+
+Experiments that are in the report stay until they are run again. Ctrl-C keeps those that are finished.
+Some also measure scenes that do not ship, beneath the folder that LAMPYRIS_SCENES names.";
+
 /// What a frame fixes.
 const FRAME_CONFLICTS: [&str; 13] = [
     "parts",
@@ -104,6 +114,9 @@ pub(crate) enum Command {
     View(Box<ViewerArgs>),
     /// Measure how fast this machine is
     Bench(BenchArgs),
+    /// Repeat the experiments of the papers, and set their figures beside ours
+    #[command(after_help = LAB_EXAMPLES)]
+    Lab(LabArgs),
     /// Say what is in a scene
     Info(Box<InfoArgs>),
     /// List parts, sequences, formats and tone curves
@@ -479,6 +492,41 @@ pub(crate) struct BenchArgs {
     /// Print an array of rows
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
+pub(crate) struct LabArgs {
+    #[command(subcommand)]
+    pub(crate) command: LabCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum LabCommand {
+    /// List the experiments
+    List(ListArgs),
+    /// Run experiments and write a report
+    #[command(after_help = LAB_EXAMPLES)]
+    Run(LabRunArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct LabRunArgs {
+    /// Names of `lampyris lab list`, or all
+    #[arg(value_name = "NAME", required = true)]
+    pub(crate) names: Vec<String>,
+    /// Small settings: all in a few minutes
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Folder of the report, made where there is none
+    #[arg(short, long = "output", value_name = "DIR", default_value = "report")]
+    pub(crate) output: PathBuf,
+    /// Folder of the scenes that ship
+    #[arg(long, value_name = "DIR", default_value = "scenes")]
+    pub(crate) scenes: PathBuf,
+    /// Say nothing but the page's name and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -14,6 +14,8 @@ pub(crate) enum Failure {
     Library(Error),
     /// The desk says it.
     Desk(lampyris_desk::Error),
+    /// The laboratory says it.
+    Lab(lampyris_lab::Error),
     /// Standard output does not take what was asked for.
     Output(std::io::Error),
 }
@@ -25,9 +27,11 @@ impl Failure {
             Failure::Library(Error::BadSetting(_)) => 2,
             Failure::Library(Error::BadInput { .. } | Error::CannotRead { .. }) => 3,
             Failure::Library(Error::CannotWrite { .. }) | Failure::Output(_) => 4,
+            Failure::Lab(lampyris_lab::Error::CannotWrite { .. }) => 4,
+            Failure::Lab(lampyris_lab::Error::Unknown { .. }) => 2,
             Failure::Library(Error::OverLimit { .. }) => 5,
             Failure::Desk(lampyris_desk::Error::CannotListen { .. } | lampyris_desk::Error::Exposed(_)) => 2,
-            Failure::Library(_) | Failure::Desk(_) => 1,
+            Failure::Library(_) | Failure::Desk(_) | Failure::Lab(_) => 1,
         })
     }
 }
@@ -47,12 +51,22 @@ impl From<lampyris_desk::Error> for Failure {
     }
 }
 
+impl From<lampyris_lab::Error> for Failure {
+    fn from(error: lampyris_lab::Error) -> Failure {
+        match error {
+            lampyris_lab::Error::Library(error) => Failure::Library(error),
+            other => Failure::Lab(other),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             // One line, whatever a file's name holds.
             Failure::Library(error) => write!(f, "{}", error.to_string().replace(['\n', '\r'], " ")),
             Failure::Desk(error) => error.fmt(f),
+            Failure::Lab(error) => write!(f, "{}", error.to_string().replace(['\n', '\r'], " ")),
             Failure::Output(error) => write!(f, "cannot write to standard output: {error}"),
         }
     }

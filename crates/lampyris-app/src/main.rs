@@ -8,6 +8,7 @@ mod estimate;
 mod failure;
 mod info;
 mod interrupt;
+mod lab;
 mod list;
 mod measure;
 mod memory;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         Command::View(args) => view::view(*args),
         Command::Bench(args) => bench::bench(&args),
         Command::Info(args) => info::info(&args),
+        Command::Lab(args) => lab::lab(&args.command),
         Command::List(args) => list::list(&args),
         Command::Completions(args) => completions::completions(&args),
     };

@@ -2,7 +2,9 @@
 
 use crate::cli::EstimateArgs;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::time::Duration;
+use lampyris_lab::Experiment;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 /// The line.
 pub(crate) struct Progress(ProgressBar);
@@ -57,6 +59,54 @@ impl FrameProgress {
     /// Takes the line away.
     pub(crate) fn end(&self) {
         self.0.finish_and_clear();
+    }
+}
+
+/// The line of the laboratory: experiments count by how long they are known to take.
+pub(crate) struct LabProgress {
+    bar: ProgressBar,
+    quick: usize,
+    start: Instant,
+    /// Seconds that experiments should have taken: of those that are done, and of the one at hand.
+    at: Mutex<[f64; 2]>,
+    all: f64,
+}
+
+impl LabProgress {
+    /// A line for these experiments; none if `quiet`.
+    pub(crate) fn new(experiments: &[&Experiment], quick: bool, quiet: bool) -> LabProgress {
+        let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(1000) };
+        if let Ok(style) = ProgressStyle::with_template("{bar:24} {msg}") {
+            bar.set_style(style);
+        }
+        let quick = usize::from(!quick);
+        let all = experiments.iter().map(|e| e.seconds[quick]).sum();
+        LabProgress { bar, quick, start: Instant::now(), at: Mutex::default(), all }
+    }
+
+    /// The next experiment begins.
+    pub(crate) fn begin(&self, experiment: &Experiment) {
+        if let Ok(mut at) = self.at.lock() {
+            *at = [at[0] + at[1], experiment.seconds[self.quick]];
+        }
+        self.bar.set_prefix(experiment.name);
+        self.step(0.0);
+    }
+
+    /// A share of the experiment at hand is done.
+    pub(crate) fn step(&self, share: f64) {
+        let Ok([before, own]) = self.at.lock().map(|at| *at) else { return };
+        let done = before + own * share;
+        // Until something is known of this machine, it is as fast as the one that the estimates are from.
+        let pace = if done > 1.0 { self.start.elapsed().as_secs_f64() / done } else { 1.0 };
+        let left = Duration::try_from_secs_f64((self.all - done) * pace).unwrap_or_default();
+        self.bar.set_position((1000.0 * done / self.all.max(1e-3)) as u64);
+        self.bar.set_message(format!("{}, {} left", self.bar.prefix(), clock(left)));
+    }
+
+    /// Takes the line away.
+    pub(crate) fn end(&self) {
+        self.bar.finish_and_clear();
     }
 }
 

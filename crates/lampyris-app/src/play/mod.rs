@@ -13,7 +13,7 @@ use crate::cli::PlayArgs;
 use crate::estimate::absorption;
 use crate::failure::{Failure, INTERRUPTED};
 use crate::progress::FrameProgress;
-use crate::{bench, interrupt, memory, say, scene_file, viewing};
+use crate::{interrupt, memory, say, scene_file, viewing};
 use flicker::{Flicker, Meter};
 use lampyris::Error;
 use lampyris::backend::{Rays, Settings};
@@ -22,6 +22,7 @@ use lampyris::output::{Exposure, Picture};
 use lampyris::scene::Scene;
 use lampyris::session::Session;
 use lampyris::world::World;
+use lampyris_lab::workload::Workload;
 use reel::Reel;
 use script::Script;
 use serde::Serialize;
@@ -167,8 +168,7 @@ impl Player {
         cpu.install(|| layers.map_or(Ok(()), |most| world.separate(most as usize)))?;
         let aspect = size.0 as f32 / size.1 as f32;
         let chosen = cpu.install(|| viewing::choose(&args.view, &world, aspect))?;
-        let settings =
-            if args.wald { bench::wald(&world, bench::workload_of(file)) } else { Settings::interactive() };
+        let settings = if args.wald { Workload::of(file).settings(&world) } else { Settings::interactive() };
         let window = args.window.unwrap_or(script.window);
         let settings =
             Settings { seed: args.seed, window, absorption: absorption(&args.absorption)?, ..settings };

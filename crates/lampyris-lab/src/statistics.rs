@@ -1,0 +1,81 @@
+//! Figures of points and of pictures.
+
+use lampyris::Rgb;
+use lampyris::sequence::discrepancy::PointSet;
+
+/// Star discrepancy of points in the unit square; nothing where they are too many.
+pub(crate) fn star_discrepancy(points: &[[f64; 2]]) -> f64 {
+    PointSet::new(2, points.concat()).star().unwrap_or(f64::NAN)
+}
+
+/// The least distance between two of the points on the torus.
+pub(crate) fn least_distance(points: &[[f64; 2]]) -> f64 {
+    let mut least = f64::INFINITY;
+    for (k, p) in points.iter().enumerate() {
+        for q in &points[..k] {
+            let [dx, dy] = [0, 1].map(|d| (p[d] - q[d]).abs()).map(|d| d.min(1.0 - d));
+            least = least.min((dx * dx + dy * dy).sqrt());
+        }
+    }
+    least
+}
+
+/// Root of the mean square difference of luminances.
+pub(crate) fn rms(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let square = |(a, b): (&Rgb, &Rgb)| f64::from(a.luminance() - b.luminance()).powi(2);
+    (ours.iter().zip(truth).map(square).sum::<f64>() / truth.len().max(1) as f64).sqrt()
+}
+
+/// Mean of (a − b)²/(b² + ε) of luminances, ε a hundredth of the squared mean: dark pixels count like bright ones.
+pub(crate) fn relative_square(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let floor = 0.01 * mean(truth).powi(2);
+    let of = |(a, b): (&Rgb, &Rgb)| {
+        let (a, b) = (f64::from(a.luminance()), f64::from(b.luminance()));
+        (a - b).powi(2) / (b * b + floor)
+    };
+    ours.iter().zip(truth).map(of).sum::<f64>() / truth.len().max(1) as f64
+}
+
+/// The median of |a − b|/b of luminances where there is light: what happens at edges, in few pixels, does not show.
+pub(crate) fn median_relative(ours: &[Rgb], truth: &[Rgb]) -> f64 {
+    let pairs = ours.iter().zip(truth).map(|(a, b)| (f64::from(a.luminance()), f64::from(b.luminance())));
+    let mut errors: Vec<f64> = pairs.filter(|(_, b)| *b > 0.0).map(|(a, b)| (a - b).abs() / b).collect();
+    errors.sort_by(f64::total_cmp);
+    errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Mean luminance.
+pub(crate) fn mean(picture: &[Rgb]) -> f64 {
+    picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len().max(1) as f64
+}
+
+/// The mean of numbers.
+pub(crate) fn mean_of(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// p of a fit of value ~ nᵖ by least squares of logarithms.
+pub(crate) fn slope(points: &[[f64; 2]]) -> f64 {
+    let logs: Vec<[f64; 2]> =
+        points.iter().filter(|p| p[0] > 0.0 && p[1] > 0.0).map(|p| p.map(libm::log)).collect();
+    let n = logs.len() as f64;
+    let [x, y] = [0, 1].map(|d| logs.iter().map(|p| p[d]).sum::<f64>() / n);
+    let along = logs.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>();
+    along / logs.iter().map(|p| (p[0] - x).powi(2)).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_go_around() {
+        assert!((least_distance(&[[0.05, 0.5], [0.95, 0.5], [0.5, 0.5]]) - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_power_has_its_exponent() {
+        let points: Vec<[f64; 2]> = (1..9).map(f64::from).map(|n| [n, 3.0 / (n * n)]).collect();
+        assert!((slope(&points) + 2.0).abs() < 1e-12);
+    }
+}
