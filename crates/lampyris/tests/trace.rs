@@ -212,6 +212,42 @@ fn bad_input_is_left_out_and_counted() {
     assert_eq!(empty.bounds(), None);
 }
 
+/// Where a mesh is shared, its instances lie in their own trees: one that reaches farther than rays do is left out as a whole, and
+/// nothing else is lost. So it is when an instance is moved there, and back.
+#[test]
+fn what_reaches_too_far_is_left_out() {
+    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(0.3, 0.2, 0.5)];
+    let triangles = [[0, 1, 2], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let mesh =
+        || MeshGeometry { positions: &positions, triangles: &triangles, one_sided: &[], screened: &[] };
+    let here = Placement { mesh: 0, transform: Affine3A::IDENTITY };
+    let far = |matrix: Mat3| Placement { mesh: 0, transform: Affine3A::from_mat3(matrix) };
+    let sheared = Mat3::from_cols(Vec3::new(1.0, 0.0, 2.2e31), Vec3::NEG_Y, Vec3::Z);
+    let mut rng = Rng::new(3);
+    for matrix in [sheared, Mat3::from_diagonal(Vec3::new(1e30, 1e-20, 1.0))] {
+        for kernel in kernels() {
+            let tracer = Tracer::build(&[mesh()], &[here, far(matrix)]);
+            assert_eq!((tracer.report().triangles, tracer.report().dropped_instances), (4, 1));
+            let tracer = tracer.with_kernel(kernel).expect("available");
+            let mut moved = Tracer::build(&[mesh()], &[here, here]).with_kernel(kernel).expect("available");
+            moved.replace(1, Some(&far(matrix)), &[]);
+            let alone = Tracer::build(&[mesh()], &[here]).with_kernel(kernel).expect("available");
+            for _ in 0..2000 {
+                let size = 10f32.powi(rng.below(36) as i32 - 18);
+                let ray = Ray::new(signed(&mut rng) * size, signed(&mut rng));
+                let hit = alone.closest(&ray);
+                for other in [&tracer, &moved] {
+                    assert_eq!(other.closest(&ray), hit);
+                    assert_eq!(other.occluded(&ray), alone.occluded(&ray));
+                    let directions = ray.direction.to_array().map(|x| [x; LANES]);
+                    let packet = other.closest16(ray.origin, &directions, u16::MAX);
+                    assert_eq!(packet.hit != 0, hit.is_some());
+                }
+            }
+        }
+    }
+}
+
 /// Which hits of the test go through, from the bits of all that is known of them.
 fn holed(instance: u32, triangle: u32, u: f32, v: f32) -> bool {
     let mix = |a: u32, b: u32| (a ^ b).wrapping_mul(0x9e37_79b9).rotate_left(15);

@@ -34,7 +34,7 @@ impl Tracer {
         let place = placement.filter(|p| usable(p) && self.is_shared(p.mesh)).and_then(|p| {
             let tree = self.trees[p.mesh as usize];
             let of = &self.shared[tree as usize].tree;
-            (!of.is_empty()).then(|| Instance::new(number, tree, &of.bounds(), &p.transform))
+            (!of.is_empty()).then(|| Instance::new(number, tree, &of.bounds(), &p.transform)).flatten()
         });
         let was_placed = self.placed.iter().any(|i| i.place.instance == number);
         if !was_placed || tree.is_some() {

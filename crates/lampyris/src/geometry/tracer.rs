@@ -123,11 +123,15 @@ impl Tracer {
         for (number, placement) in usable.iter().filter(|(_, i)| uses[i.mesh as usize] > 1) {
             let tree = trees[placement.mesh as usize];
             let of = &shared[tree as usize];
+            let instance = (!of.tree.is_empty())
+                .then(|| Instance::new(*number, tree, &of.tree.bounds(), &placement.transform));
+            if let Some(None) = instance {
+                report.dropped_instances += 1;
+                continue;
+            }
             report.triangles += of.triangles;
             report.dropped_triangles += meshes[placement.mesh as usize].triangles.len() as u64 - of.triangles;
-            if !of.tree.is_empty() {
-                placed.push(Instance::new(*number, tree, &of.tree.bounds(), &placement.transform));
-            }
+            placed.extend(instance.flatten());
         }
         let mut tracer = Tracer {
             kernel: Kernel::detect(),
@@ -251,7 +255,8 @@ impl Tracer {
 }
 
 impl Instance {
-    pub(super) fn new(number: u32, tree: u32, mesh: &Bounds, transform: &Affine3A) -> Instance {
+    /// `None` where it would reach farther than rays do.
+    pub(super) fn new(number: u32, tree: u32, mesh: &Bounds, transform: &Affine3A) -> Option<Instance> {
         let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { mesh.lower[axis] } else { mesh.upper[axis] };
             transform.transform_point3(Vec3::new(pick(0), pick(1), pick(2)))
@@ -264,6 +269,10 @@ impl Instance {
         let bounds = Bounds::of(&corners);
         let margin = Vec3::splat(size.max_element() * 8.0 * f32::EPSILON);
         let bounds = Bounds { lower: bounds.lower - margin, upper: bounds.upper + margin };
+        let reach = bounds.lower.abs().max(bounds.upper.abs());
+        if !(reach.is_finite() && reach.max_element() <= FARTHEST) {
+            return None;
+        }
         let inverse = inverse(transform);
         let norm =
             inverse.map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).into_iter().fold(0.0, f64::max);
@@ -273,7 +282,7 @@ impl Instance {
             transform: *transform,
             mirrored: transform.matrix3.determinant() < 0.0,
         };
-        Instance { place, tree, bounds, inverse, error }
+        Some(Instance { place, tree, bounds, inverse, error })
     }
 
     /// The ray in the space of the mesh, as far as boxes are concerned; t stays what it was.
