@@ -37,6 +37,8 @@ pub const ALL: &[Experiment] = &[
     keller96::DISCREPANCY,
     keller96::TABLE_1,
     keller96::TABLE_2,
+    keller96::GATHERING,
+    keller96::FULL,
     keller97::FIGURE_1,
     keller97::FIGURE_4,
     keller97::FIGURE_5,

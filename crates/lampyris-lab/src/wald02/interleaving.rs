@@ -30,6 +30,9 @@ pub(crate) const FIGURE_3: Experiment = Experiment {
 const LIGHTS: u32 = 4;
 const VPLS: f64 = 18.0;
 
+/// The truth has so many times so many more of both.
+const MORE: u32 = 4;
+
 fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
     let size = effort.of([150, 150], [400, 400]);
     let draws = effort.of(3, 16);
@@ -40,8 +43,17 @@ fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
     let view = CORNELL.view(size);
     let per_path = points_a_path(&world);
     cpu.begin_world(world, Eye::Camera(view.clone()), &settings(per_path, 1, false))?;
-    // The truth of what all of them estimate: a) unfiltered, by many batches. Of equal lights a pixel the clamp is equal too.
-    let truth = many(effort, &mut cpu, &view, &Settings { seed: 77, ..settings(per_path, 1, false) })?;
+    // The truth of what all of them estimate: a) unfiltered, by many batches of many paths, under the same clamp, which is one
+    // over the paths for a factor of one.
+    let one = settings(per_path, 1, false);
+    let more = Settings {
+        paths: MORE * MORE * one.paths,
+        light_points: one.light_points.map(|n| MORE * MORE * n),
+        clamp: MORE as f32 * one.clamp,
+        seed: 77,
+        ..one
+    };
+    let truth = many(effort, &mut cpu, &view, &more)?;
     effort.step(1, 6)?;
     let cases = [
         ("a) one set", 1, false),
@@ -120,7 +132,7 @@ fn points_a_path(world: &World) -> f64 {
 
 fn many(effort: &Effort<'_>, cpu: &mut Cpu, view: &View, settings: &Settings) -> Result<Vec<Rgb>> {
     cpu.restart(Eye::Camera(view.clone()), settings)?;
-    for index in 0..effort.of(80, 2000) {
+    for index in 0..effort.of(20, 500) {
         effort.add(cpu, Batch { index })?;
     }
     Ok(cpu.frame()?.mean())
