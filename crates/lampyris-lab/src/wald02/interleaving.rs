@@ -22,7 +22,7 @@ pub(crate) const FIGURE_3: Experiment = Experiment {
     place: "Figure 3, §4.2 and §4.3",
     claim: "Close-ups by the same number of rays: a) one set of point lights, b) 25 sets interleaved, c) and d) with discontinuity \
             buffers. Choosing the filter size appropriate to the interleaving factor completely removes the structured noise.",
-    seconds: [5.0, 40.0],
+    seconds: [6.0, 110.0],
     run: figure_3,
 };
 
@@ -34,9 +34,8 @@ const VPLS: f64 = 18.0;
 const MORE: u32 = 4;
 
 fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
-    let size = effort.of([150, 150], [400, 400]);
+    let size = effort.of([256, 256], [400, 400]);
     let draws = effort.of(3, 16);
-    let zoom = effort.of(2, 1);
     let mut cpu = Cpu::new(None)?;
     let scene = effort.scene("cornell.mgf")?;
     let world = cpu.install(|| World::new(scene));
@@ -81,14 +80,14 @@ fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
             error += 100.0 * median_relative(&shown, &truth) / f64::from(draws);
             rays += cpu.statistics().rays.shadow as f64 / f64::from(size[0] * size[1]) / f64::from(draws);
             if draw == 0 {
-                images.push(Image::of_light(name, picture(&view, shown), exposure).zoomed(zoom));
+                images.push(Image::of_light(name, picture(&view, shown), exposure));
             }
         }
         table.row([name.into(), digits(rays), digits(error)]);
         errors.push(error);
         effort.step(number + 2, 6)?;
     }
-    images.push(Image::of_light("many batches", picture(&view, truth), exposure).zoomed(zoom));
+    images.push(Image::of_light("many batches", picture(&view, truth), exposure));
     found.show(images);
     found.show(table);
     found.compare(
@@ -132,7 +131,7 @@ fn points_a_path(world: &World) -> f64 {
 
 fn many(effort: &Effort<'_>, cpu: &mut Cpu, view: &View, settings: &Settings) -> Result<Vec<Rgb>> {
     cpu.restart(Eye::Camera(view.clone()), settings)?;
-    for index in 0..effort.of(20, 500) {
+    for index in 0..effort.of(40, 500) {
         effort.add(cpu, Batch { index })?;
     }
     Ok(cpu.frame()?.mean())
