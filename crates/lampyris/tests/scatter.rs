@@ -270,6 +270,31 @@ fn arrivals_know_their_way() {
     assert_eq!(none.path(0, |_| panic!("it was told not to")), 0);
 }
 
+/// What an element sends out itself is what is seen of it on its side, in whichever instance and on either side of a panel.
+#[test]
+fn elements_shine_as_their_surfaces_do() {
+    let mut b = Build::default();
+    let wall = b.grey(0.5);
+    b.room(Vec3::ZERO, Vec3::new(2.0, 1.0, 1.0), [wall; 6]);
+    for (k, sides) in [Sides::EmitFront, Sides::Both, Sides::FrontOnly].into_iter().enumerate() {
+        let glow = b.material(diffuse(0.2), 1.0 + k as f32, sides);
+        b.quad(Vec3::new(0.2 + 0.6 * k as f32, 0.5, 0.3), Vec3::X * 0.4, Vec3::Z * 0.4, glow);
+    }
+    let world = World::new(b.0);
+    let elements = Elements::new(&world, 0.2).expect("few");
+    let walk = RandomWalk::new(&world, Rules::default());
+    let (mut bright, mut dark) = (0, 0);
+    for path in 0..4000 {
+        walk.path(path, |a| {
+            let shines = a.surface.emission();
+            let element = elements.at(&world, &a.hit, a.surface.front).expect("a side that is met");
+            assert_eq!(elements.emission(&world, element), shines);
+            if shines.is_black() { dark += 1 } else { bright += 1 }
+        });
+    }
+    assert!(bright > 200 && dark > 2000, "{bright} {dark}");
+}
+
 /// An element is found where it lies, knows its side and area, and too many of them are refused.
 #[test]
 fn elements_tile_the_surface() {
@@ -284,7 +309,7 @@ fn elements_tile_the_surface() {
             let k = elements.at(&world, &a.hit, a.surface.front).expect("an element");
             seen[k as usize] += 1;
             assert_eq!(elements.at(&world, &a.hit, !a.surface.front), None);
-            assert!((elements.emission(k).g - 0.25).abs() < 1e-6);
+            assert!((elements.emission(&world, k).g - 0.25).abs() < 1e-6);
         });
     }
     // 40 000 arrivals, about a hundred on each: equal areas of equal light.

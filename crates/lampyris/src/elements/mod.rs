@@ -3,7 +3,7 @@
 //!
 //! A facet is halved at the middle of its longest edge, and each half again, so that all parts of a facet have one area, and
 //! none is thinner than half of what it was cut from. Which part a hit lies in, its barycentric coordinates tell;
-//! nothing is stored of a part but its emission.
+//! nothing is stored of a part but its area.
 //!
 //! An element knows no directions: what the dull lobes of its material send on counts as if it left by Lambert's law.
 
@@ -34,7 +34,6 @@ pub struct Elements {
     /// Of each instance, where its facets begin in `facets`; one more at the end.
     starts: Vec<u32>,
     facets: Vec<Cut>,
-    emission: Vec<Rgb>,
     /// [m²]
     areas: Vec<f32>,
 }
@@ -74,8 +73,7 @@ impl Elements {
 
     /// By the number of halvings that each facet needs; `None` where one needs too many.
     fn cut(world: &World, halvings: &dyn Fn(&[Vec3; 3]) -> Option<u32>) -> Option<Elements> {
-        let mut all =
-            Elements { starts: Vec::new(), facets: Vec::new(), emission: Vec::new(), areas: Vec::new() };
+        let mut all = Elements { starts: Vec::new(), facets: Vec::new(), areas: Vec::new() };
         for instance in 0..world.scene().instances.len() as u32 {
             all.starts.push(all.facets.len() as u32);
             for triangle in 0..world.facets().count(instance) {
@@ -105,14 +103,6 @@ impl Elements {
         self.facets.push(Cut { first: first as u32, halvings: halvings as u8, two_sided });
         let area = if area.is_finite() { area / (1_u32 << halvings) as f32 } else { 0.0 };
         self.areas.resize(first + count, area);
-        for part in 0..1 << halvings {
-            let (_, weights) = part_of(&facet.corners, part, halvings);
-            let middle = |k: usize| weights.iter().map(|w| w[k]).sum::<f32>() / 3.0;
-            let hit = Hit { t: 0.0, u: middle(1), v: middle(2), instance, triangle };
-            for side in [1.0, -1.0].into_iter().take(if two_sided { 2 } else { 1 }) {
-                self.emission.push(world.surface(facet.normal * -side, &hit).emission());
-            }
-        }
         Some(())
     }
 
@@ -132,8 +122,22 @@ impl Elements {
     }
 
     /// L_{0,k}: the radiance that the element sends out itself, asked in its middle [cd/m²].
-    pub fn emission(&self, element: u32) -> Rgb {
-        self.emission[element as usize]
+    pub fn emission(&self, world: &World, element: u32) -> Rgb {
+        let place = self.facets.partition_point(|cut| cut.first <= element) - 1;
+        let cut = self.facets[place];
+        // The last that begins there or before: those without facets begin where the next one does.
+        let instance = self.starts.partition_point(|start| *start as usize <= place) - 1;
+        let triangle = place as u32 - self.starts[instance];
+        let facet = world.facets().get(instance as u32, triangle);
+        let number = element - cut.first;
+        let (part, side) = match cut.two_sided {
+            true => (number / 2, if number.is_multiple_of(2) { 1.0 } else { -1.0 }),
+            false => (number, 1.0),
+        };
+        let (_, weights) = part_of(&facet.corners, part, cut.halvings.into());
+        let middle = |k: usize| weights.iter().map(|w| w[k]).sum::<f32>() / 3.0;
+        let hit = Hit { t: 0.0, u: middle(1), v: middle(2), instance: instance as u32, triangle };
+        world.surface(facet.normal * -side, &hit).emission()
     }
 
     /// Σ |A_k| [m²].
