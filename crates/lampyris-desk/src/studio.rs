@@ -413,9 +413,7 @@ impl Stage {
             self.look = Arc::new(look);
         }
         if let Some(meters) = work.meters {
-            let settings =
-                Settings { paths: METER_PATHS, passes: Some(METER_PATHS / 16), ..Settings::default() };
-            self.session.measure(&meters, &settings)?;
+            self.session.measure(&meters, &meter_settings())?;
         }
         self.session.forget();
         if let Some((desk, name)) = work.save {
