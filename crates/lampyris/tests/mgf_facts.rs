@@ -2,6 +2,8 @@
 //! a circle). Counts are exact, bounds, areas and lumens to 10⁻³.
 
 use lampyris::import::{Loaded, Options, load};
+use lampyris::scene::find_view;
+use lampyris::world::World;
 use std::path::PathBuf;
 
 fn scenes() -> PathBuf {
@@ -128,4 +130,16 @@ fn published_scenes_have_the_reference_figures() {
         }
     }
     assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// Where a scene has no camera the view that is found shows seven tenths of the furniture of a room: of one room, where a
+/// storey has many, and around a corner.
+#[test]
+#[ignore = "needs LAMPYRIS_SCENES"]
+fn found_views_show_the_furniture() {
+    for file in ["office-b90/office.mgf", "office2/office2.mgf", "corridor.mgf", "hospital/hosp.mgf"] {
+        let world = World::new(read(file).scene);
+        let found = find_view(world.scene(), &|ray| world.tracer().closest(ray), 4.0 / 3.0);
+        assert!(found.seen.furniture >= 0.7 && found.seen.walls >= 0.3, "{file}: {:?}", found.seen);
+    }
 }

@@ -4,6 +4,7 @@ mod camera;
 mod edit;
 mod paint;
 mod reference;
+mod rooms;
 mod sight;
 mod summary;
 mod upward;

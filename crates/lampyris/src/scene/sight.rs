@@ -75,6 +75,11 @@ impl Room {
         Room { points, lo, hi, things, sizes }
     }
 
+    /// How much there is to see: points of furniture, then all points.
+    pub(super) fn worth(&self) -> [usize; 2] {
+        [self.sizes.iter().sum::<u32>() as usize, self.points.len()]
+    }
+
     /// What is seen, from the numbers of the points that are.
     pub(super) fn seen(&self, points: impl Iterator<Item = usize>) -> Seen {
         let mut things = vec![0; self.sizes.len()];

@@ -2,7 +2,8 @@
 //! or from before the opening, where a wall is missing. A search from coarse to fine over standing places and directions
 //! that counts what each of them shows; no paper. Deterministic, and it looks for no beauty.
 
-use super::sight::{Frustum, Look, PROBES, Room, Seen, probe, spread};
+use super::rooms::{Rooms, sees};
+use super::sight::{Frustum, Look, PROBES, Point, Room, Seen, probe, spread};
 use super::upward::{bounds, facet, facets, upward};
 use super::{Camera, Scene};
 use crate::geometry::{Frame, Hit, Ray};
@@ -25,13 +26,16 @@ const ENCLOSED: f32 = 0.55;
 const OPEN: f32 = 0.3;
 
 /// Surface points that views are measured by.
-const POINTS: usize = 1024;
+const POINTS: usize = 4096;
 
-/// Places whose sight together is what can be seen of a room at all.
-const WITNESSES: usize = 32;
+/// Rooms of a storey for each of which there are so many points.
+const MOST_ROOMS: usize = 8;
+
+/// A passage narrower than this parts rooms [heights of the storey]: doors are.
+const DOOR: f32 = 0.5;
 
 /// The coarse search: probes of a place, every how many points, headings.
-const COARSE: (usize, usize, usize) = (64, 8, 24);
+const COARSE: (usize, usize, usize) = (64, 16, 24);
 
 /// Places that the fine search looks at.
 const FINALISTS: usize = 12;
@@ -80,6 +84,23 @@ struct Column {
     ceiling: f32,
 }
 
+/// The storey that is looked at: between heights along the upward axis [m].
+struct Storey {
+    floor: f32,
+    ceiling: f32,
+    columns: Vec<Column>,
+    /// Bottom and top of the scene.
+    heights: [f32; 2],
+    /// How much floors may differ.
+    tolerance: f32,
+}
+
+impl Storey {
+    fn has(&self, column: &Column) -> bool {
+        (column.floor - self.floor).abs() <= self.tolerance
+    }
+}
+
 /// A place to stand.
 struct Place {
     eye: Vec3,
@@ -98,12 +119,12 @@ impl Place {
 impl Search<'_> {
     /// The best view of a room, if there is a room.
     fn inside(&self) -> Option<Found> {
-        let (floor, ceiling, columns) = self.storey()?;
+        let storey = self.storey()?;
+        let Storey { floor, ceiling, .. } = storey;
         let height = ceiling - floor;
         let eye = floor + if ROOM_HEIGHTS.contains(&height) { EYE_HEIGHT } else { EYE_SHARE * height };
         let clear = 0.1 * height;
-        let places = self.places(&columns, eye, clear)?;
-        let room = self.room(&places, floor, ceiling);
+        let (places, room) = self.room(&storey, eye, clear)?;
         let size = (room.hi - room.lo).length();
         let near = 0.15 * size;
 
@@ -145,30 +166,39 @@ impl Search<'_> {
         Camera { name: "found".into(), eye, target, up: self.axes.n, fov_y }
     }
 
-    /// The floor's and the ceiling's height of the storey with most free space, and its columns.
-    fn storey(&self) -> Option<(f32, f32, Vec<Column>)> {
+    /// The storey with most free space.
+    fn storey(&self) -> Option<Storey> {
         let corners = facets(self.scene).flat_map(|f| f.corners);
         let (lo, hi) = bounds(corners.map(|p| self.axes.to_local(p)));
         let extent = hi - lo;
         if !extent.is_finite() || extent.min_element() <= 0.0 {
             return None;
         }
-        let columns: Vec<Column> = (0..GRID * GRID)
-            .into_par_iter()
-            .filter_map(|k| {
-                let cell = Vec2::new((k % GRID) as f32 + 0.5, (k / GRID) as f32 + 0.5) / GRID as f32;
-                self.column(lo.truncate() + cell * extent.truncate(), lo.z, hi.z)
-            })
-            .collect();
+        let mut columns = self.columns([lo, hi]);
         // Floors differ by sills and carpets; the storey is the level on which most of the free space stands.
         let tolerance = 0.04 * extent.z;
         let on = |level: f32| columns.iter().filter(move |c| (c.floor - level).abs() <= tolerance);
         let space = |c: &Column| on(c.floor).map(|o| o.ceiling - o.floor).sum::<f32>();
         let floor = columns.iter().max_by(|a, b| space(a).total_cmp(&space(b)))?.floor;
-        let storey: Vec<Column> = on(floor).copied().collect();
-        let mut ceilings: Vec<f32> = storey.iter().map(|c| c.ceiling).collect();
+        columns.retain(|c| (c.floor - floor).abs() <= tolerance);
+        let mut ceilings: Vec<f32> = columns.iter().map(|c| c.ceiling).collect();
         ceilings.sort_by(f32::total_cmp);
-        Some((floor, ceilings[ceilings.len() / 2], storey))
+        Some(Storey {
+            heights: [lo.z, hi.z],
+            floor,
+            tolerance,
+            ceiling: ceilings[ceilings.len() / 2],
+            columns,
+        })
+    }
+
+    /// Columns spread evenly over the ground of a box.
+    fn columns(&self, [lo, hi]: [Vec3; 2]) -> Vec<Column> {
+        let column = |k: usize| {
+            let cell = Vec2::new((k % GRID) as f32 + 0.5, (k / GRID) as f32 + 0.5) / GRID as f32;
+            self.column(lo.truncate() + cell * (hi - lo).truncate(), lo.z, hi.z)
+        };
+        (0..GRID * GRID).into_par_iter().filter_map(column).collect()
     }
 
     /// The longest free stretch of a vertical line that has a floor.
@@ -226,24 +256,42 @@ impl Search<'_> {
         })
     }
 
-    /// What can be seen of the room from anywhere in it.
-    fn room(&self, places: &[Place], floor: f32, ceiling: f32) -> Room {
-        let step = places.len().div_ceil(WITNESSES);
-        let witnesses: Vec<&Place> = places.iter().step_by(step).collect();
-        let points = spread(self.scene, POINTS);
-        let seen: Vec<bool> =
-            (points.par_iter()).map(|p| witnesses.iter().any(|w| self.sees(w.eye, p.position))).collect();
-        let points = points.into_iter().zip(seen).filter(|(_, s)| *s).map(|(p, _)| p).collect();
-        Room::new(points, self.scene, &self.axes, floor, ceiling)
+    /// The room of a storey that holds most furniture, and the places in it.
+    fn room(&self, storey: &Storey, eye: f32, clear: f32) -> Option<(Vec<Place>, Room)> {
+        let places = self.places(&storey.columns, eye, clear)?;
+        let eyes: Vec<Vec3> = places.iter().map(|place| place.eye).collect();
+        let rooms = Rooms::new(self.trace, self.axes.n, &eyes, DOOR * (storey.ceiling - storey.floor));
+        let (number, room) = self.fullest(&rooms, storey)?;
+        // Of many rooms each has few of the places: more of them, closer together.
+        let [bottom, top] = storey.heights;
+        let mut columns = self.columns([room.lo.with_z(bottom), room.hi.with_z(top)]);
+        columns.retain(|column| storey.has(column));
+        let closer = self.places(&columns, eye, clear).unwrap_or_default();
+        let all = places.into_iter().chain(closer);
+        Some((all.filter(|place| rooms.at(place.eye) == Some(number)).collect(), room))
     }
 
-    fn sees(&self, eye: Vec3, point: Vec3) -> bool {
-        (self.trace)(&Ray::new(eye, point - eye)).is_some_and(|h| (h.t - 1.0).abs() < 1e-3)
+    /// The number of the room that holds most furniture, and what can be seen of it from anywhere in it.
+    fn fullest(&self, rooms: &Rooms<'_>, storey: &Storey) -> Option<(usize, Room)> {
+        let points = spread(self.scene, POINTS * rooms.count().min(MOST_ROOMS));
+        let homes: Vec<Option<usize>> = points.par_iter().map(|p| rooms.home(p.position)).collect();
+        let mut seen: Vec<Vec<Point>> = (0..rooms.count()).map(|_| Vec::new()).collect();
+        for (point, home) in points.into_iter().zip(homes) {
+            if let Some(home) = home {
+                seen[home].push(point);
+            }
+        }
+        let room = |points| Room::new(points, self.scene, &self.axes, storey.floor, storey.ceiling);
+        let fuller = |a: (usize, Room), b: (usize, Room)| if b.1.worth() > a.1.worth() { b } else { a };
+        seen.into_iter().map(room).enumerate().reduce(fuller)
     }
 
     /// Every `step`-th of the room's points that is in sight of a place, whichever way one looks.
     fn visible(&self, eye: Vec3, room: &Room, step: usize) -> Vec<usize> {
-        (0..room.points.len()).step_by(step).filter(|&k| self.sees(eye, room.points[k].position)).collect()
+        (0..room.points.len())
+            .step_by(step)
+            .filter(|&k| sees(self.trace, eye, room.points[k].position))
+            .collect()
     }
 
     /// The places that promise most at a coarse look, in the order of what they promise.
