@@ -1,7 +1,7 @@
 //! The arguments, as their help describes them.
 
 use crate::parse;
-use crate::play::WINDOW;
+use crate::play::script::WINDOW;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 use lampyris::backend::Gather;

@@ -2,8 +2,8 @@
 
 use crate::color::Color;
 use crate::model::{Body, Lamp};
-use crate::opening::place_of;
 use crate::patch::Place;
+use crate::place::place_of;
 use crate::wire;
 use glam::Vec3;
 use lampyris::Rgb;

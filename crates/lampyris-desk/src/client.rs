@@ -1,7 +1,7 @@
 //! One client: what it says goes to the desk, what the desk says comes to it, and pictures as fast as it takes them.
 
-use crate::desk::{Event, Inbox};
 use crate::door::{Door, Pass};
+use crate::event::{Event, Inbox};
 use crate::hub::Hub;
 use crate::wire::Message;
 use futures_util::{SinkExt, StreamExt};

@@ -15,6 +15,7 @@ mod telling;
 use crate::adding::NewLamp;
 use crate::album::Album;
 use crate::door::{Door, Role};
+use crate::event::{Event, Inbox, Progress};
 use crate::history::{Gesture, History};
 use crate::hub::Hub;
 use crate::meters::Layout;
@@ -24,115 +25,21 @@ use crate::printer::{Order, Printer};
 use crate::saving;
 use crate::screen::{Screen, Show};
 use crate::state;
-use crate::studio::{Found, Opened, Progress, Studio, Survey};
+use crate::studio::{Studio, Survey};
 use crate::wire::{Do, Look, Message, PROTOCOL};
 use lampyris::Rgb;
-use lampyris::cpu::Answer;
 use lampyris::measuring::Estimate;
 use lampyris::scene::Scene;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 /// How long edits wait to be saved, and to be saved again where that failed.
 const SOON: Duration = Duration::from_millis(400);
 const AGAIN: Duration = Duration::from_secs(3);
-
-/// What happens at a desk.
-pub(crate) enum Event {
-    /// The scene is there.
-    Opened {
-        model: Box<Model>,
-        scene: Box<Scene>,
-        look: Look,
-        warnings: Vec<String>,
-    },
-    Joined {
-        client: u64,
-        role: Role,
-    },
-    Left {
-        client: u64,
-    },
-    Said {
-        client: u64,
-        message: Message,
-    },
-    Progress(Progress),
-    Found {
-        client: u64,
-        id: u32,
-        found: Option<Found>,
-    },
-    /// An exposure was metered.
-    Metered {
-        ev: f32,
-    },
-    /// What is known of what lights a point.
-    Lit {
-        client: u64,
-        id: u32,
-        answer: Answer,
-        done: bool,
-    },
-    /// What the meters read.
-    Measured {
-        readings: Vec<Estimate>,
-        /// Of each layer in white, the radiance of what it gives each of them, matt and white [cd/m²].
-        by_layer: Vec<Vec<Rgb>>,
-        /// They have all the batches that meters get.
-        done: bool,
-    },
-    /// The scene's file is another one, and was read.
-    Changed(Box<Opened>),
-    /// It is another one, and cannot be read.
-    Broken {
-        why: String,
-    },
-    /// The edits were made in the scene that was read again, but for some.
-    Reloaded {
-        lost: Vec<String>,
-    },
-    /// A picture to keep was made, of that name, or was not.
-    Made {
-        client: u64,
-        id: u32,
-        done: Result<String, String>,
-    },
-    /// Edits were written down, or could not be.
-    Saved {
-        saved: Value,
-        /// How many times of saving that was the last of.
-        times: u32,
-    },
-    /// Nothing happened for a while.
-    Idle,
-    /// The renderer did not follow an edit.
-    Refused {
-        why: String,
-    },
-    /// The program shall end.
-    End,
-}
-
-/// Where events go.
-#[derive(Clone)]
-pub(crate) struct Inbox(Sender<Event>);
-
-impl Inbox {
-    pub(crate) fn new() -> (Inbox, Receiver<Event>) {
-        let (send, receive) = mpsc::channel();
-        (Inbox(send), receive)
-    }
-
-    /// Nobody listens any more once the program ends.
-    pub(crate) fn put(&self, event: Event) {
-        let _ = self.0.send(event);
-    }
-}
 
 /// The desk.
 pub(crate) struct Desk {

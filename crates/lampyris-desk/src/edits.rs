@@ -1,8 +1,8 @@
 //! What a model says of places, shapes and surfaces, as edits of the scene: those by which it differs.
 
 use crate::model::{Body, Coating, Lamp, Model, Touched};
-use crate::opening::{moved, place_of};
 use crate::patch::Place;
+use crate::place::{moved, place_of};
 use glam::{Affine3A, Vec3};
 use lampyris::Rgb;
 use lampyris::light::{Beam, LightKind, State};

@@ -2,9 +2,9 @@
 
 use crate::album::{self, Album};
 use crate::client;
-use crate::desk::Inbox;
 use crate::door::{Door, Refusal};
 use crate::error::{Error, Result};
+use crate::event::Inbox;
 use crate::hub::Hub;
 use crate::page;
 use crate::printer::Printer;

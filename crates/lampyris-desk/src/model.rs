@@ -2,8 +2,8 @@
 //! that is for the renderer, [`crate::mixer`] and [`crate::edits`] say.
 
 use crate::color::Color;
-use crate::opening;
 use crate::patch::{GroupPatch, LampPatch, MaterialPatch, Mode, Patch, Place, ThingPatch, swap};
+use crate::place;
 use crate::wire;
 use glam::{Affine3A, Quat, Vec3};
 use lampyris::Rgb;
@@ -326,7 +326,7 @@ impl Group {
 impl Thing {
     /// Whether it is otherwise than in the file.
     pub(crate) fn is_touched(&self) -> bool {
-        self.hidden || !self.locked || self.place != opening::surface_place(self.bounds)
+        self.hidden || !self.locked || self.place != place::surface_place(self.bounds)
     }
 
     fn apply(&mut self, patch: &ThingPatch) -> Result<ThingPatch, String> {

@@ -1,7 +1,7 @@
 //! Pictures to keep: the program renders the saved document by itself, beside the desk, so that what is kept is what anybody
 //! else renders of it, to the bit. One at a time.
 
-use crate::desk::{Event, Inbox};
+use crate::event::{Event, Inbox};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -1,7 +1,7 @@
 //! Writes edits to the disk, on a thread of its own: a slow disk holds nobody up. Of what waits only the latest is written.
 
-use crate::desk::{Event, Inbox};
 use crate::error::{Error, Result};
+use crate::event::{Event, Inbox};
 use lampyris::document::{self, Document, Place};
 use serde_json::{Value, json};
 use std::sync::mpsc::{self, Receiver, Sender};

@@ -1,8 +1,8 @@
 //! What all are told of the model, as docs/wire.md says.
 
+use crate::event::{Found, Progress};
 use crate::model::{Body, Coating, Group, Lamp, Model, Thing, Touched};
 use crate::patch::{GroupPatch, LampPatch, Patch};
-use crate::studio::{Found, Progress};
 use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::cpu::{Answer, Reading};

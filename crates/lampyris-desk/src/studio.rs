@@ -7,11 +7,11 @@ mod work;
 
 use beside::BEFORE_CLAMPED;
 use work::Work;
-pub(crate) use work::{Asked, Found, Studio, Survey, What};
+pub(crate) use work::{Asked, Studio, Survey, What};
 
 use crate::Options;
-use crate::desk::{Event, Inbox};
 use crate::error::Result;
+use crate::event::{Event, Inbox, Opened, Progress};
 use crate::hub::CameraText;
 use crate::opening;
 use crate::saver::Saver;
@@ -61,27 +61,6 @@ const SELDOM: Duration = Duration::from_millis(400);
 
 /// Relative error at which a picture is good.
 pub(crate) const GOOD: f32 = 0.02;
-
-/// A scene to open, and how.
-pub struct Opened {
-    /// The scene, and what was edited in it before.
-    pub document: document::Opened,
-    /// From where to look, if the arguments say so.
-    pub camera: Option<Camera>,
-}
-
-/// How far a picture is.
-#[derive(Clone, Debug)]
-pub(crate) struct Progress {
-    pub(crate) stage: &'static str,
-    pub(crate) batches: u32,
-    /// Half the relative 95 % interval of the mean.
-    pub(crate) error: f32,
-    pub(crate) good_in: Option<f32>,
-    pub(crate) fps: f32,
-    pub(crate) size: [u32; 2],
-    pub(crate) layers: Vec<(u32, u32, bool)>,
-}
 
 /// The session with all that is known of its picture.
 struct Stage {

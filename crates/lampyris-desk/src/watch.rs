@@ -1,7 +1,6 @@
 //! Watches the scene's file: who works on the building saves it again and again, and the light goes on.
 
-use crate::desk::{Event, Inbox};
-use crate::studio::Opened;
+use crate::event::{Event, Inbox, Opened};
 use std::fmt::Display;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};

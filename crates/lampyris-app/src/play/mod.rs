@@ -3,10 +3,9 @@
 mod flicker;
 mod json;
 mod reel;
-mod script;
+pub(crate) mod script;
 mod stage;
 
-pub(crate) use script::WINDOW;
 pub(crate) use stage::{lamp_names, object_names};
 
 use crate::cli::PlayArgs;

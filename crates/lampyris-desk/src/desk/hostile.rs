@@ -1,8 +1,9 @@
 //! Messages that mean harm: valid ones, broken by chance. Nothing panics, nothing that is no number gets in, and undo leads
 //! back to the beginning as if nothing had been.
 
-use super::{Desk, Inbox, Parts};
+use super::{Desk, Parts};
 use crate::door::{Door, Role};
+use crate::event::Inbox;
 use crate::hub::Hub;
 use crate::model::Model;
 use crate::printer::Printer;

@@ -1,6 +1,7 @@
 //! What lies behind a pixel, and what a ray meets.
 
-use super::{Found, Stage};
+use super::Stage;
+use crate::event::Found;
 use crate::screen::Frame;
 use lampyris::Rgb;
 use lampyris::geometry::Ray;

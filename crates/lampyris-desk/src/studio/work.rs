@@ -4,11 +4,9 @@ use super::Opened;
 use crate::legend::{Legend, Quantity};
 use crate::screen::Frame;
 use crate::wire::Look;
-use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::eye::Meter;
 use lampyris::geometry::Ray;
-use lampyris::measuring::Estimate;
 use lampyris::scene::Edit;
 use serde_json::Value;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -73,21 +71,6 @@ pub(crate) enum What {
     Ray(Ray),
     /// What lights a point.
     Light(Meter),
-}
-
-/// What lies behind a pixel.
-pub(crate) struct Found {
-    pub(crate) point: Vec3,
-    pub(crate) normal: Vec3,
-    pub(crate) instance: u32,
-    pub(crate) material: u32,
-    pub(crate) emitter: Option<u32>,
-    /// What it reflects, where that tells what it receives [lx], as far as the picture tells, and what it sends to the eye [cd/m²], each with its 95 % error.
-    pub(crate) albedo: Option<Rgb>,
-    pub(crate) lux: Option<Estimate>,
-    pub(crate) luminance: Option<Estimate>,
-    /// How much more it receives than in the look that is compared with [lx].
-    pub(crate) change: Option<f64>,
 }
 
 /// The way to the thread.
