@@ -5,9 +5,8 @@ use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::plot::{Axis, Plot, Series};
-use crate::stage::{CORNELL, Look, oracle, picture};
+use crate::stage::{CORNELL, RING, oracle, picture};
 use crate::statistics::{mean, relative_square, slope};
-use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::backend::{Absorption, Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
@@ -49,8 +48,7 @@ fn ways() -> Vec<Way> {
 fn convergence(effort: &Effort<'_>) -> Result<Findings> {
     let edge = effort.of(24, 64);
     let most = effort.of(32, 256);
-    let ring = Look { eye: [0.03, -0.62, 0.28], target: [0.0, 0.0, 0.05], up: Vec3::Z, fov_y: 34.0 };
-    let scenes = [("cornell.mgf", CORNELL), ("ring.mgf", ring)];
+    let scenes = [("cornell.mgf", CORNELL), ("ring.mgf", RING)];
     let mut found = Findings::default();
     for (number, (file, look)) in scenes.into_iter().enumerate() {
         let scene = effort.scene(file)?;

@@ -56,6 +56,7 @@ pub const ALL: &[Experiment] = &[
     wald02::TABLE_1,
     wald02::SCENES,
     jarosz05::TABLE_1,
+    jarosz05::FIGURE_9,
     convergence::CONVERGENCE,
 ];
 

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Table, digits};
 use crate::plot::Plot;
-use crate::statistics::{mean_of, star_discrepancy};
+use crate::statistics::{self, mean_of, star_discrepancy};
 use lampyris::sequence::{halton, scrambled_halton, sobol, uniform};
 
 pub(crate) const LECTURE: &str = "I. Boyadzhiev and K. Matzen, Instant Radiosity, a lecture";
@@ -32,6 +32,10 @@ fn curse(effort: &Effort<'_>) -> Result<Findings> {
     let scrambled = |n, seed| of(n, &|i, d| scrambled_halton(i, d, seed));
     let random = |n, seed| of(n, &|i, d| uniform(seed, i, d));
     let net = |i: u32, d: u32| lampyris::sequence::unit_f32(sobol::sobol(i, d));
+    let correlation = |points: &[[f64; 2]]| {
+        let [x, y] = [0, 1].map(|d| points.iter().map(|p| p[d]).collect::<Vec<_>>());
+        statistics::correlation(&x, &y)
+    };
     let mut found = Findings::default();
     for (name, points) in [
         ("Halton", of(600, &halton)),
@@ -80,13 +84,4 @@ fn curse(effort: &Effort<'_>) -> Result<Findings> {
     );
     found.gap("The lecture counts “perfect correlation” for the first 16 points with one index of 17; from index 17 on the lines break, and return every 17 × 19 points.");
     Ok(found)
-}
-
-/// Pearson's.
-fn correlation(points: &[[f64; 2]]) -> f64 {
-    let [x, y] = [0, 1].map(|d| mean_of(&points.iter().map(|p| p[d]).collect::<Vec<_>>()));
-    let sum = |f: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(f).sum::<f64>();
-    let across = sum(&|p| (p[0] - x) * (p[1] - y));
-    let along = sum(&|p| (p[0] - x).powi(2)) * sum(&|p| (p[1] - y).powi(2));
-    across / along.sqrt()
 }

@@ -20,6 +20,10 @@ use rayon::prelude::*;
 pub(crate) const CORNELL: Look =
     Look { eye: [2.78, 2.73, -8.0], target: [2.78, 2.73, 0.0], up: Vec3::Y, fov_y: 39.3 };
 
+/// The still life of caustics as its file's comment looks at it.
+pub(crate) const RING: Look =
+    Look { eye: [0.03, -0.62, 0.28], target: [0.0, 0.0, 0.05], up: Vec3::Z, fov_y: 34.0 };
+
 /// Where to look from [m, degrees].
 #[derive(Clone, Copy)]
 pub(crate) struct Look {
@@ -165,5 +169,18 @@ impl<'a> Literal<'a> {
             .as_ref()
             .map_or(light.intensity, |y| y.eval(Class::Dull, y.wo, -wi) * light.intensity);
         brdf * intensity * term
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use lampyris::import::{self, Options};
+    use std::path::Path;
+
+    /// The world of a scene that ships.
+    pub(crate) fn shipped(name: &str) -> World {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name);
+        World::new(import::load(&file, &Options::default()).expect("a scene").scene)
     }
 }

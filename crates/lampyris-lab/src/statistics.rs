@@ -54,6 +54,14 @@ pub(crate) fn mean_of(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len().max(1) as f64
 }
 
+/// Pearson's correlation of numbers and as many others.
+pub(crate) fn correlation(xs: &[f64], ys: &[f64]) -> f64 {
+    let (x, y) = (mean_of(xs), mean_of(ys));
+    let across: f64 = xs.iter().zip(ys).map(|(a, b)| (a - x) * (b - y)).sum();
+    let along = |values: &[f64], mean: f64| values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+    across / (along(xs, x) * along(ys, y)).sqrt()
+}
+
 /// p of a fit of value ~ nᵖ by least squares of logarithms.
 pub(crate) fn slope(points: &[[f64; 2]]) -> f64 {
     let logs: Vec<[f64; 2]> =
@@ -71,6 +79,16 @@ mod tests {
     #[test]
     fn distances_go_around() {
         assert!((least_distance(&[[0.05, 0.5], [0.95, 0.5], [0.5, 0.5]]) - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn lines_correlate_and_crosses_do_not() {
+        let x = [1.0, 2.0, 3.0, 4.0];
+        for (y, expected) in
+            [([3.0, 5.0, 7.0, 9.0], 1.0), ([4.0, 3.0, 2.0, 1.0], -1.0), ([1.0, -1.0, -1.0, 1.0], 0.0)]
+        {
+            assert!((correlation(&x, &y) - expected).abs() < 1e-12);
+        }
     }
 
     #[test]

@@ -42,8 +42,7 @@ fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
     let view = CORNELL.view(size);
     let per_path = points_a_path(&world);
     cpu.begin_world(world, Eye::Camera(view.clone()), &settings(per_path, 1, false))?;
-    // The truth of what all of them estimate: a) unfiltered, by many batches of many paths, under the same clamp, which is one
-    // over the paths for a factor of one.
+    // The truth of what all of them estimate: a) unfiltered, by many batches of many paths, under the same clamp.
     let one = settings(per_path, 1, false);
     let more = Settings {
         paths: MORE * MORE * one.paths,
@@ -107,7 +106,8 @@ fn figure_3(effort: &Effort<'_>) -> Result<Findings> {
     Ok(found)
 }
 
-/// So many paths that VPLS virtual lights light a pixel, whatever the number of sets.
+/// So many paths that VPLS virtual lights light a pixel, whatever the number of sets. The clamp is that of one set: its radius
+/// falls as one over the root of the paths, and each picture would be of another light.
 fn settings(per_path: f64, edge: u32, filter: bool) -> Settings {
     let sets = edge * edge;
     Settings {
@@ -116,6 +116,7 @@ fn settings(per_path: f64, edge: u32, filter: bool) -> Settings {
         passes: Some(1),
         interleave: [edge, edge],
         light_points: Some(sets * LIGHTS),
+        clamp: edge as f32 * Settings::default().clamp,
         filter,
         edges: 0,
         ..Settings::default()
