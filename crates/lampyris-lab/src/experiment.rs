@@ -39,6 +39,7 @@ pub const ALL: &[Experiment] = &[
     keller96::TABLE_2,
     keller96::GATHERING,
     keller96::FULL,
+    keller96::RADIUS,
     keller97::FIGURE_1,
     keller97::FIGURE_4,
     keller97::FIGURE_5,

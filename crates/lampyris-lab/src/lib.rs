@@ -16,6 +16,7 @@ mod keller97;
 mod page;
 mod plot;
 mod report;
+mod seen;
 mod slides;
 mod stage;
 mod statistics;

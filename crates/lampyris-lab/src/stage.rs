@@ -8,7 +8,7 @@ use lampyris::backend::{Absorption, Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::light::Shine;
-use lampyris::material::{Bsdf, Class};
+use lampyris::material::{Bsdf, Class, Material};
 use lampyris::output::Picture;
 use lampyris::particle::{Plan, Vpl, Walk};
 use lampyris::scene::{Camera, Scene, View};
@@ -57,6 +57,18 @@ pub(crate) fn without_gloss(scene: &Scene) -> Scene {
         if let Bsdf::Ward(ward) = material.bsdf {
             material.bsdf = Bsdf::Diffuse(ward.base);
         }
+    }
+    scene
+}
+
+/// The same scene with everything whose name ends so made of a material.
+pub(crate) fn made_of(scene: &Scene, name: &str, material: Material) -> Scene {
+    let mut scene = scene.clone();
+    let number = scene.materials.len() as u32;
+    scene.materials.push(material);
+    let Scene { meshes, instances, .. } = &mut scene;
+    for instance in instances.iter().filter(|i| i.name.ends_with(name)) {
+        meshes[instance.mesh as usize].materials.fill(number);
     }
     scene
 }

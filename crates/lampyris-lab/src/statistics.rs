@@ -44,6 +44,17 @@ pub(crate) fn median_relative(ours: &[Rgb], truth: &[Rgb]) -> f64 {
     errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
+/// Means of square blocks of `edge` pixels in a picture of `width`; what is left over at its edges is left out.
+pub(crate) fn blocks(picture: &[Rgb], width: usize, edge: usize) -> Vec<Rgb> {
+    let (across, down) = (width / edge, picture.len() / width / edge);
+    let of = |block: usize| {
+        let first = block / across * edge * width + block % across * edge;
+        let pixels = (0..edge * edge).map(|k| picture[first + k / edge * width + k % edge]);
+        pixels.fold(Rgb::BLACK, |sum, light| sum + light) * (1.0 / (edge * edge) as f32)
+    };
+    (0..across * down).map(of).collect()
+}
+
 /// Mean luminance.
 pub(crate) fn mean(picture: &[Rgb]) -> f64 {
     picture.iter().map(|c| f64::from(c.luminance())).sum::<f64>() / picture.len().max(1) as f64
@@ -79,6 +90,13 @@ mod tests {
     #[test]
     fn distances_go_around() {
         assert!((least_distance(&[[0.05, 0.5], [0.95, 0.5], [0.5, 0.5]]) - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn blocks_are_means() {
+        let picture: Vec<Rgb> = (0..15).map(|k| Rgb::grey(k as f32)).collect();
+        let means: Vec<f32> = blocks(&picture, 5, 2).iter().map(|c| c.g).collect();
+        assert_eq!(means, [3.0, 5.0]);
     }
 
     #[test]

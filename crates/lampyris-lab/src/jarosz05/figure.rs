@@ -1,13 +1,13 @@
 //! Figure 9: previews by points and by discs beside the full rendering.
 
 use super::JAROSZ05;
-use super::seen::Seen;
 use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
+use crate::seen::Seen;
 use crate::stage::{Look, RING, picture};
-use crate::statistics::{correlation, mean, relative_square};
+use crate::statistics::{blocks, correlation, mean, relative_square};
 use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::backend::{Backend, Settings};
@@ -146,7 +146,7 @@ impl Compared {
             difference: relative_square(discs, estimated),
             on_the_table: 100.0 * flat.iter().filter(differs).count() as f64 / flat.len().max(1) as f64,
             points: alike(points, estimated),
-            blocks: alike(&blocks(points, width), &blocks(estimated, width)),
+            blocks: alike(&blocks(points, width, BLOCK), &blocks(estimated, width, BLOCK)),
         }
     }
 
@@ -180,17 +180,6 @@ impl Compared {
 /// Whether a pixel shows the table, which is flat.
 fn is_table(seen: &Seen<'_>, pixel: usize) -> bool {
     seen.surfaces[pixel].as_ref().is_some_and(|x| x.normal == Vec3::Z && x.position.z.abs() < 1e-5)
-}
-
-/// Means of blocks of pixels, `width` in a row.
-fn blocks(light: &[Rgb], width: usize) -> Vec<Rgb> {
-    let (across, down) = (width / BLOCK, light.len() / width / BLOCK);
-    let of = |block: usize| {
-        let first = block / across * BLOCK * width + block % across * BLOCK;
-        let pixels = (0..BLOCK * BLOCK).map(|k| light[first + k / BLOCK * width + k % BLOCK]);
-        pixels.fold(Rgb::BLACK, |sum, light| sum + light) * (1.0 / (BLOCK * BLOCK) as f32)
-    };
-    (0..across * down).map(of).collect()
 }
 
 /// The lamps and their direct light, by the renderer.

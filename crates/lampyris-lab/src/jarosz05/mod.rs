@@ -2,7 +2,6 @@
 
 mod figure;
 mod phases;
-mod seen;
 mod splats;
 mod table;
 

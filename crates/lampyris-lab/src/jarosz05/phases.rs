@@ -1,6 +1,6 @@
 //! The phases of photon mapping, each measured by itself on the photons and the points of one picture.
 
-use super::seen::Seen;
+use crate::seen::Seen;
 use glam::Vec3;
 use lampyris::Rgb;
 use lampyris::geometry::Ray;

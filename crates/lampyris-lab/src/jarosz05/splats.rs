@@ -1,9 +1,9 @@
-//! Photons drawn: as points, as discs, and as the estimate that the renderer makes of them.
+//! Photons drawn: as discs and as points.
 
-use super::seen::Seen;
+use crate::seen::Seen;
 use glam::Vec3;
 use lampyris::Rgb;
-use lampyris::map::{Estimate, Kernel, Photon, PhotonMap, Reader};
+use lampyris::map::{Kernel, Photon};
 use lampyris::material::Class;
 use lampyris::world::Surface;
 use rayon::prelude::*;
@@ -16,14 +16,6 @@ const OFFSET: f32 = 1e-4;
 const ROWS: usize = 8;
 
 impl Seen<'_> {
-    /// The radiance estimate at the middle of each pixel [cd/m²].
-    pub(super) fn estimated(&self, map: &PhotonMap, estimate: Estimate) -> Vec<Rgb> {
-        let read = |reader: &mut Reader<'_>, x: &Option<Surface<'_>>| {
-            x.as_ref().map_or(Rgb::BLACK, |x| reader.radiance(x))
-        };
-        self.surfaces.par_iter().map_init(|| Reader::new(map, estimate), read).collect()
-    }
-
     /// Every photon as a disc that lies on its surface, its flux over the area of the disc, as far as nothing is before it
     /// [Jarosz05, §3.2.2 and eq. 13]. What a disc hides it shines on: where it leaves its surface that is the haze of §5.2.
     pub(super) fn discs(&self, photons: &[Photon], kernel: Kernel, radius: f32) -> Vec<Rgb> {
@@ -50,14 +42,9 @@ impl Seen<'_> {
 
     /// Every photon that the eye sees in the pixel that it lies in, all alike, so bright that the picture has a mean luminance.
     pub(super) fn points(&self, photons: &[Photon], mean: f64) -> Vec<Rgb> {
-        let pixel = |p: &Photon| {
-            let [x, y] = self.project(p.position())?;
-            let inside = x >= 0.0 && y >= 0.0 && x < self.view.width as f32 && y < self.view.height as f32;
-            let normal = Vec3::from(p.normal());
-            (inside && self.shows(p.position(), normal))
-                .then(|| y as usize * self.view.width as usize + x as usize)
-        };
-        let pixels: Vec<usize> = photons.par_iter().filter_map(pixel).collect();
+        let shown = |p: &&Photon| self.shows(p.position(), p.normal().into());
+        let pixel = |p: &Photon| self.pixel(p.position());
+        let pixels: Vec<usize> = photons.par_iter().filter(shown).filter_map(pixel).collect();
         let mut out = vec![Rgb::BLACK; self.surfaces.len()];
         let each = Rgb::grey((mean * out.len() as f64 / pixels.len().max(1) as f64) as f32);
         pixels.into_iter().for_each(|pixel| out[pixel] += each);
@@ -107,7 +94,7 @@ impl Disc<'_> {
 mod tests {
     use super::*;
     use crate::stage::{CORNELL, tests::shipped};
-    use lampyris::map::{Past, Reach};
+    use lampyris::map::{Estimate, Past, PhotonMap, Reach};
     use lampyris::sequence::uniform;
 
     /// Photons strewn over the floor: on a plane the estimate of fixed radius is the sum of the discs, by every kernel. Sums of

@@ -2,11 +2,11 @@
 
 use super::JAROSZ05;
 use super::phases::{Phases, Picture, caustic_photons, global_photons, median};
-use super::seen::Seen;
 use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Findings, Image, Table, digits};
+use crate::seen::Seen;
 use crate::stage::{RING, picture};
 use lampyris::backend::{Backend, Batch, Gather, Settings};
 use lampyris::cpu::Cpu;

@@ -1,4 +1,4 @@
-//! §4.3: final gathering with and without the discontinuity buffer, and the bias of the full solution.
+//! §4.3: final gathering with and without the discontinuity buffer.
 
 use super::KELLER96;
 use crate::effort::Effort;
@@ -6,13 +6,11 @@ use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::plot::{Axis, Plot, Series};
-use crate::stage::{CORNELL, picture};
-use crate::statistics::{mean, median_relative, relative_square};
-use lampyris::Rgb;
+use crate::stage::picture;
+use crate::statistics::{median_relative, relative_square};
 use lampyris::backend::{Backend, Batch, Gather, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
-use lampyris::integrator::{FULL_SOLUTION, WHOLE};
 use lampyris::output::Exposure;
 use lampyris::scene::{View, find_view};
 use lampyris::world::World;
@@ -26,16 +24,6 @@ pub(crate) const GATHERING: Experiment = Experiment {
             calls to h(x, ω) by roughly the factor 8.",
     seconds: [14.0, 120.0],
     run: gathering,
-};
-
-pub(crate) const FULL: Experiment = Experiment {
-    name: "keller96-full-solution",
-    title: "The bias of the full solution",
-    paper: KELLER96,
-    place: "§4.2, §4.3",
-    claim: "L₀ + T_fd L₀ + T_fd T_fd L + T_fs L + T_fd T_fs L is the full solution, by means of elements and by particles in balls.",
-    seconds: [12.0, 200.0],
-    run: full,
 };
 
 /// Rays of a pixel; the plain gather with most of them is what the buffer is held against.
@@ -129,93 +117,6 @@ fn crossing(curve: &[[f64; 2]], value: f64) -> f64 {
     let k = (0..last).find(|k| logs[k + 1][1] <= value).unwrap_or(last);
     let ([x0, y0], [x1, y1]) = (logs[k], logs[k + 1]);
     libm::exp(x0 + (value - y0) / (y1 - y0) * (x1 - x0))
-}
-
-/// Edge of a tile [pixels].
-const TILE: u32 = 16;
-
-fn full(effort: &Effort<'_>) -> Result<Findings> {
-    let size = effort.of([64, 64], [256, 256]);
-    let view = CORNELL.view(size);
-    let mut cpu = Cpu::new(None)?;
-    let scene = effort.scene("cornell.mgf")?;
-    let world = cpu.install(|| World::new(scene));
-    // At the edge of a lamp chance decides how much of it a pixel sees.
-    let whole = |parts: &[&str]| {
-        parts.iter().filter(|part| **part != "emission").map(|part| (*part).to_owned()).collect::<Vec<_>>()
-    };
-    // The same places in each pixel for all of them.
-    let exact = Settings { parts: whole(WHOLE), paths: 1024, passes: Some(16), ..Settings::default() };
-    cpu.begin_world(world, Eye::Camera(view.clone()), &exact)?;
-    let batches = effort.of(8, 64);
-    (0..batches).try_for_each(|index| effort.add(&mut cpu, Batch { index }))?;
-    let truth = cpu.frame()?.mean();
-    let sizes = [2.4, 1.2, 0.6, 0.3];
-    effort.step(1, sizes.len() + 1)?;
-    let mut table = Table::new(
-        format!("the Cornell box, 5.5 m wide, tiles of {TILE} × {TILE} pixels; bias of luminance"),
-        ["elements [m]", "mean [%]", "least tile [%]", "most [%]", "in the mean square [%]"],
-    );
-    let mut found = Findings::default();
-    let (mut images, mut squares) = (Vec::new(), Vec::new());
-    let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
-    for (number, element) in sizes.into_iter().enumerate() {
-        let gather = Gather { rays: 4, paths: 1 << 15, element, ..Gather::default() };
-        let parts = whole(FULL_SOLUTION);
-        let settings = Settings { parts, gather, ..exact.clone() };
-        cpu.restart(Eye::Camera(view.clone()), &settings)?;
-        (0..batches).try_for_each(|index| effort.add(&mut cpu, Batch { index }))?;
-        let ours = cpu.frame()?.mean();
-        let tiles = biases(&ours, &truth, size);
-        let rms = (tiles.iter().map(|bias| bias * bias).sum::<f64>() / tiles.len() as f64).sqrt();
-        let (least, most) = tiles.iter().fold((0.0_f64, 0.0_f64), |(l, m), b| (l.min(*b), m.max(*b)));
-        let bias = mean(&ours) / mean(&truth) - 1.0;
-        table.row([
-            element.to_string(),
-            format!("{:+.2}", 100.0 * bias),
-            format!("{:+.2}", 100.0 * least),
-            format!("{:+.2}", 100.0 * most),
-            format!("{:.2}", 100.0 * rms),
-        ]);
-        squares.push(rms);
-        if number + 1 == sizes.len() {
-            found.compare(
-                Comparison::new("mean over that of the unbiased parts, elements of 0.3 m", "", 1.0 + bias)
-                    .demand(Demand::Within(0.99, 1.01)),
-            );
-        }
-        images.push(
-            Image::of_light(format!("elements of {element} m"), picture(&view, ours), exposure)
-                .zoomed(effort.of(3, 1)),
-        );
-        effort.step(number + 2, sizes.len() + 1)?;
-    }
-    found.compare(
-        Comparison::new(
-            "bias of tiles with elements of 0.3 m over that with 2.4 m",
-            "",
-            squares[sizes.len() - 1] / squares[0],
-        )
-        .demand(Demand::AtMost(1.0)),
-    );
-    images
-        .push(Image::of_light("the unbiased parts", picture(&view, truth), exposure).zoomed(effort.of(3, 1)));
-    found.show(table);
-    found.show(images);
-    found.gap("How fine the elements are, the paper does not say: it takes the triangles of the scene as they come.");
-    found.gap("Light leaves an element evenly here, whatever its gloss; what gloss sees, photons light.");
-    Ok(found)
-}
-
-/// How much brighter each tile is, where there is light.
-fn biases(ours: &[Rgb], truth: &[Rgb], [width, height]: [u32; 2]) -> Vec<f64> {
-    let sum = |picture: &[Rgb], left: u32, top: u32| {
-        let pixels = (0..TILE * TILE).map(|k| (top + k / TILE) * width + left + k % TILE);
-        pixels.map(|k| f64::from(picture[k as usize].luminance())).sum::<f64>()
-    };
-    let corners = (0..height / TILE).flat_map(|y| (0..width / TILE).map(move |x| (x * TILE, y * TILE)));
-    let pairs = corners.map(|(x, y)| (sum(ours, x, y), sum(truth, x, y)));
-    pairs.filter(|(_, truth)| *truth > 0.0).map(|(ours, truth)| ours / truth - 1.0).collect()
 }
 
 #[cfg(test)]

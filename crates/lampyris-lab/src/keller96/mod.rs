@@ -1,12 +1,14 @@
 //! The tables of Keller's paper of 1996, and the discrepancies that they rest on.
 
+mod bias;
 mod discrepancy;
 mod gathering;
 mod rooms;
 mod solved;
 
+pub(crate) use bias::{FULL, RADIUS};
 pub(crate) use discrepancy::DISCREPANCY;
-pub(crate) use gathering::{FULL, GATHERING};
+pub(crate) use gathering::GATHERING;
 pub(crate) use rooms::TABLE_2;
 pub(crate) use solved::TABLE_1;
 

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::experiment::{Experiment, KELLER97};
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::slides::LECTURE;
-use crate::stage::{CORNELL, Literal, of_1997, oracle, picture, without_gloss};
+use crate::stage::{CORNELL, Literal, made_of, of_1997, oracle, picture, without_gloss};
 use crate::statistics::{mean, rms};
 use lampyris::Rgb;
 use lampyris::backend::{Absorption, Backend, Settings};
@@ -40,18 +40,10 @@ pub(crate) const GLOSS: Experiment = Experiment {
 
 /// The Cornell box with a floor of Ward's gloss.
 fn glossy(scene: &Scene, alpha: f32) -> Scene {
-    let mut scene = scene.clone();
     let base = Diffuse::opaque(Rgb::grey(0.3));
     let ward =
         Ward { base, specular: Rgb::grey(0.3), alpha, transmission: Rgb::BLACK, transmission_alpha: 0.0 };
-    let material = scene.materials.len() as u32;
-    scene.materials.push(Material::new("glossy floor", Bsdf::Ward(ward)));
-    let floors: Vec<u32> =
-        scene.instances.iter().filter(|i| i.name.ends_with("floor")).map(|i| i.mesh).collect();
-    for floor in floors {
-        scene.meshes[floor as usize].materials.fill(material);
-    }
-    scene
+    made_of(scene, "floor", Material::new("glossy floor", Bsdf::Ward(ward)))
 }
 
 /// What of a picture shows the floor.
