@@ -49,6 +49,7 @@ pub const ALL: &[Experiment] = &[
     keller97::FIGURE_10,
     keller97::FIGURE_11,
     keller97::FIGURE_12,
+    keller97::ENDS,
     keller97::THINNING,
     artifacts::ARTIFACTS,
     slides::HALTON,

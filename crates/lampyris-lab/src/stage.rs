@@ -43,9 +43,19 @@ impl Look {
 
 /// The oracle's picture: so many samples a pixel of the path tracer.
 pub(crate) fn oracle(effort: &Effort<'_>, scene: &Scene, view: &View, samples: u32) -> Result<Vec<Rgb>> {
+    oracle_by(effort, scene, view, (samples, 9_001))
+}
+
+/// The same by another seed.
+pub(crate) fn oracle_by(
+    effort: &Effort<'_>,
+    scene: &Scene,
+    view: &View,
+    (samples, seed): (u32, u32),
+) -> Result<Vec<Rgb>> {
     let mut cpu = Cpu::new(None)?;
     let paths = samples.min(16);
-    let settings = Settings { parts: vec!["path".into()], paths, seed: 9_001, ..Settings::default() };
+    let settings = Settings { parts: vec!["path".into()], paths, seed, ..Settings::default() };
     effort.render(&mut cpu, (scene.clone(), Eye::Camera(view.clone())), &settings, samples / paths)?;
     Ok(cpu.frame()?.mean())
 }
@@ -71,6 +81,16 @@ pub(crate) fn made_of(scene: &Scene, name: &str, material: Material) -> Scene {
         meshes[instance.mesh as usize].materials.fill(number);
     }
     scene
+}
+
+/// What of a picture shows, in the middle of a pixel, things whose name ends so.
+pub(crate) fn of_thing(world: &World, view: &View, picture: &[Rgb], name: &str) -> Vec<Rgb> {
+    let shows = |k: u32| {
+        let ray = view.ray((k % view.width) as f32 + 0.5, (k / view.width) as f32 + 0.5);
+        let instances = &world.scene().instances;
+        world.closest(&ray).is_some_and(|x| instances[x.instance as usize].name.ends_with(name))
+    };
+    (0..).zip(picture).filter(|(k, _)| shows(*k)).map(|(_, c)| *c).collect()
 }
 
 /// A picture of light.

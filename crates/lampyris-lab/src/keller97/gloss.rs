@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::experiment::{Experiment, KELLER97};
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::slides::LECTURE;
-use crate::stage::{CORNELL, Literal, made_of, of_1997, oracle, picture, without_gloss};
+use crate::stage::{CORNELL, Literal, made_of, of_1997, of_thing, oracle, picture, without_gloss};
 use crate::statistics::{mean, rms};
 use lampyris::Rgb;
 use lampyris::backend::{Absorption, Backend, Settings};
@@ -14,7 +14,7 @@ use lampyris::eye::Eye;
 use lampyris::material::{Bsdf, Class, Diffuse, Material, Ward};
 use lampyris::output::Exposure;
 use lampyris::particle::Plan;
-use lampyris::scene::{Scene, View};
+use lampyris::scene::Scene;
 use lampyris::sequence::Sequence;
 use lampyris::world::World;
 
@@ -46,17 +46,6 @@ fn glossy(scene: &Scene, alpha: f32) -> Scene {
     made_of(scene, "floor", Material::new("glossy floor", Bsdf::Ward(ward)))
 }
 
-/// What of a picture shows the floor.
-fn of_floor(world: &World, view: &View, picture: &[Rgb]) -> Vec<Rgb> {
-    let is_floor = |k: &u32| {
-        let ray = view.ray((k % view.width) as f32 + 0.5, (k / view.width) as f32 + 0.5);
-        world
-            .closest(&ray)
-            .is_some_and(|x| world.scene().instances[x.instance as usize].name.ends_with("floor"))
-    };
-    (0..view.width * view.height).zip(picture).filter(|(k, _)| is_floor(k)).map(|(_, c)| *c).collect()
-}
-
 fn figure_11(effort: &Effort<'_>) -> Result<Findings> {
     let edge = effort.of(80, 240);
     let view = CORNELL.view([edge, edge]);
@@ -72,7 +61,7 @@ fn figure_11(effort: &Effort<'_>) -> Result<Findings> {
     let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
     let zoom = if edge < 100 { 3 } else { 1 };
     let mut found = Findings::default();
-    let floor = |picture: &[Rgb]| of_floor(&world, &view, picture);
+    let floor = |picture: &[Rgb]| of_thing(&world, &view, picture, "floor");
     let (true_floor, full_floor, dull_floor) = (floor(&truth), floor(&full), floor(&dull));
     found.compare(
         Comparison::new(
@@ -118,7 +107,7 @@ fn gloss(effort: &Effort<'_>) -> Result<Findings> {
         let scene = glossy(&box_of, alpha);
         let world = World::new(scene.clone());
         let truth = oracle(effort, &scene, &view, effort.of(192, 4096))?;
-        let true_floor = of_floor(&world, &view, &truth);
+        let true_floor = of_thing(&world, &view, &truth, "floor");
         effort.step(2 * number + 1, 2 * alphas.len())?;
         let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
         let all: &'static [Class] = &[Class::Dull, Class::Sharp];
@@ -144,10 +133,10 @@ fn gloss(effort: &Effort<'_>) -> Result<Findings> {
                     ..of_1997(128)
                 };
                 let drawn = literal.picture(effort, &settings, batch)?;
-                bias += mean(&of_floor(&world, &view, &drawn)) / f64::from(draws);
+                bias += mean(&of_thing(&world, &view, &drawn, "floor")) / f64::from(draws);
             }
             let bias = 100.0 * (bias / mean(&true_floor) - 1.0);
-            let floor = of_floor(&world, &view, &light);
+            let floor = of_thing(&world, &view, &light, "floor");
             let error = 100.0 * rms(&floor, &true_floor) / mean(&true_floor);
             table.row([alpha.to_string(), name.into(), digits(bias), digits(error)]);
             if name.ends_with("whole BRDF") {
@@ -164,7 +153,7 @@ fn gloss(effort: &Effort<'_>) -> Result<Findings> {
         let settings = Settings { paths: 128, passes: Some(16), ..Settings::default() };
         effort.render(&mut cpu, (scene, Eye::Camera(view.clone())), &settings, effort.of(4, 32))?;
         let ours = cpu.frame()?.mean();
-        let floor = of_floor(&world, &view, &ours);
+        let floor = of_thing(&world, &view, &ours, "floor");
         let (bias, error) = (
             100.0 * (mean(&floor) / mean(&true_floor) - 1.0),
             100.0 * rms(&floor, &true_floor) / mean(&true_floor),

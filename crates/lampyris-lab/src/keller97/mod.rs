@@ -1,6 +1,7 @@
 //! The figures of Keller's report of 1997.
 
 mod aliasing;
+mod ends;
 mod fourier;
 mod gloss;
 mod patterns;
@@ -9,6 +10,7 @@ mod thinning;
 mod walk;
 
 pub(crate) use aliasing::FIGURE_8;
+pub(crate) use ends::ENDS;
 pub(crate) use fourier::FIGURE_7;
 pub(crate) use gloss::{FIGURE_11, GLOSS};
 pub(crate) use patterns::{FIGURE_1, FIGURE_4};
