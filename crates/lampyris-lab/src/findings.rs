@@ -237,16 +237,32 @@ pub(crate) fn digits(value: f64) -> String {
     let text = match size {
         _ if !size.is_finite() => "–".into(),
         _ if size == 0.0 => "0".into(),
-        _ if !(1e-4..1e6).contains(&size) => format!("{size:.2e}").replace('e', " · 10^"),
-        _ if size >= 100.0 => format!("{size:.0}"),
-        _ if size >= 10.0 => format!("{size:.1}"),
-        _ if size >= 1.0 => format!("{size:.2}"),
-        _ if size >= 0.1 => format!("{size:.3}"),
-        _ if size >= 0.01 => format!("{size:.4}"),
-        _ if size >= 1e-3 => format!("{size:.5}"),
-        _ => format!("{size:.6}"),
+        _ if !(1e-4..1e6).contains(&size) => {
+            let text = format!("{size:.2e}");
+            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            format!("{digits} · 10{}", raised(exponent))
+        }
+        // As many places as leave three digits once it is rounded.
+        _ => {
+            let leading = libm::log10(size * 1.0005).floor();
+            format!("{size:.*}", (2.0 - leading).max(0.0) as usize)
+        }
     };
     if value < 0.0 { format!("−{text}") } else { text }
+}
+
+/// A number with its sign, to hundredths.
+pub(crate) fn signed(value: f64) -> String {
+    format!("{value:+.2}").replace('-', "−")
+}
+
+/// A whole number as an exponent is written.
+fn raised(number: &str) -> String {
+    let raise = |c: char| match c.to_digit(10) {
+        Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize).unwrap_or(c),
+        None => '⁻',
+    };
+    number.chars().map(raise).collect()
 }
 
 #[cfg(test)]
@@ -256,7 +272,10 @@ mod tests {
     #[test]
     fn numbers_are_told_in_three_digits() {
         let told = [0.0, 1.0, -12.34, 123.4, 0.0456, 1.5e-5, 12_345_678.0, f64::NAN].map(digits);
-        assert_eq!(told, ["0", "1.00", "−12.3", "123", "0.0456", "1.50 · 10^-5", "1.23 · 10^7", "–"]);
+        assert_eq!(told, ["0", "1.00", "−12.3", "123", "0.0456", "1.50 · 10⁻⁵", "1.23 · 10⁷", "–"]);
+        let told = [0.99999, 9.999, 0.1, 99.96, 4321.0, 0.001, 0.000_999_9, 0.000_25].map(digits);
+        assert_eq!(told, ["1.00", "10.0", "0.100", "100", "4321", "0.00100", "0.00100", "0.000250"]);
+        assert_eq!([-0.5, 0.0, 2.345].map(signed), ["−0.50", "+0.00", "+2.35"]);
     }
 
     #[test]

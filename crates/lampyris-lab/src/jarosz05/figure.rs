@@ -45,7 +45,7 @@ const SHOTS: [(&str, Look, f32); 2] = [
 const BLOCK: usize = 8;
 
 fn figure_9(effort: &Effort<'_>) -> Result<Findings> {
-    let size = effort.of([240, 180], [480, 360]);
+    let size = effort.of([360, 270], [480, 360]);
     let cpu = Cpu::new(None)?;
     let scene = effort.scene("ring.mgf")?;
     let world = cpu.install(|| World::new(scene.clone()));
@@ -103,7 +103,6 @@ fn figure_9(effort: &Effort<'_>) -> Result<Findings> {
         let exposure = Exposure::Ev(Exposure::Auto.ev(&truth));
         let image = |what: &str, light| {
             Image::of_light(format!("{name}: {what}"), picture(&seen.view, light), exposure)
-                .zoomed(effort.of(2, 1))
         };
         found.show(vec![
             image("the radiance estimate", truth),

@@ -144,20 +144,23 @@ fn settings(row: &Row, plan: Picture, bounds: f32) -> Settings {
     Settings { parts, photons: plan.caustics, gather, paths: 64, passes: Some(1), ..Settings::default() }
 }
 
+/// What row d takes beyond that: the renderer's gather looks up elements, and does without the global map.
+fn on_top(phases: &Phases) -> f64 {
+    phases.global.tracing + phases.global.balancing + phases.keeping + phases.looking
+}
+
 /// The rows as they were measured.
 fn lines(phases: &Phases, totals: &[f64]) -> [Line; 4] {
     let Phases { caustic, global, searching, keeping, looking, .. } = phases;
     let none = [0.0; 3];
     let caustic = [caustic.photons as f64, caustic.tracing, caustic.balancing];
     let global = [global.photons as f64, global.tracing, global.balancing];
-    // What the renderer's gather does without.
-    let on_top = global[1] + global[2] + keeping + looking;
     let line = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3], search, total| [a, b, c, d, e, f, search, total];
     [
         line(none, none, 0.0, totals[0]),
         line(none, none, 0.0, totals[1]),
         line(caustic, none, *searching, totals[2]),
-        line(caustic, global, searching + keeping + looking, totals[3] + on_top),
+        line(caustic, global, searching + keeping + looking, totals[3] + on_top(phases)),
     ]
 }
 
@@ -166,9 +169,9 @@ fn compare(found: &mut Findings, ours: &[Line; 4]) {
     let mut both = |what: &str, unit: &str, of: &dyn Fn(&[Line; 4]) -> f64| {
         found.compare(Comparison::new(what, unit, of(ours)).paper(of(&theirs)));
     };
-    both("caustic photons traced a second", "", &|t| t[2][0] / t[2][1]);
-    both("global photons traced a second", "", &|t| t[3][3] / t[3][4]);
-    both("caustic photons balanced a second", "", &|t| t[2][0] / t[2][2]);
+    both("caustic photons traced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][1]);
+    both("global photons traced a second", "thousand", &|t| 1e-3 * t[3][3] / t[3][4]);
+    both("caustic photons balanced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][2]);
     both("share of balancing in the time of c)", "%", &|t| 100.0 * t[2][2] / t[2][7]);
     both("share of balancing in the time of d)", "%", &|t| 100.0 * (t[3][2] + t[3][5]) / t[3][7]);
     both("share of range search in the time of c)", "%", &|t| 100.0 * t[2][6] / t[2][7]);
@@ -181,7 +184,7 @@ fn compare(found: &mut Findings, ours: &[Line; 4]) {
 fn side_by_side(ours: &[Line; 4], title: String) -> Table {
     let mut table = Table::new(title, COLUMNS);
     let cells = |caption: String, line: &Line| {
-        let mut cells = line.map(digits).to_vec();
+        let mut cells = line.map(|v| if v > 0.0 { digits(v) } else { "–".into() }).to_vec();
         cells.insert(0, caption);
         cells
     };

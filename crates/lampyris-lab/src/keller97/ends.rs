@@ -43,7 +43,7 @@ fn ends(effort: &Effort<'_>) -> Result<Findings> {
     let draws = effort.of(48, 128);
     let scene = effort.scene("cornell.mgf")?;
     let steps = 1 + ALPHAS.len() * ENDS_OF.len();
-    let matte = Measured::new(effort, &coated(&scene, [None; 2]), edge, draws)?;
+    let matt = Measured::new(effort, &coated(&scene, [None; 2]), edge, draws)?;
     effort.step(1, steps)?;
     let mut table = Table::new(
         format!(
@@ -61,19 +61,19 @@ fn ends(effort: &Effort<'_>) -> Result<Findings> {
     table.row([
         "–".into(),
         "none".into(),
-        digits(100.0 * matte.error),
+        digits(100.0 * matt.error),
         "1".into(),
         PATHS.to_string(),
         "–".into(),
     ]);
     let mut curves = [const { Vec::new() }; ENDS_OF.len()];
     let mut found = Findings::default();
-    let mut images = vec![("matt ends".to_owned(), matte.first.clone())];
+    let mut images = vec![("matt ends".to_owned(), matt.first.clone())];
     for (number, alpha) in ALPHAS.into_iter().enumerate() {
         for (case, (name, glossy)) in ENDS_OF.into_iter().enumerate() {
             let alphas = glossy.map(|glossy| glossy.then_some(alpha));
             let measured = Measured::new(effort, &coated(&scene, alphas), edge, draws)?;
-            let worse = measured.error / matte.error;
+            let worse = measured.error / matt.error;
             table.row([
                 alpha.to_string(),
                 name.into(),
@@ -95,16 +95,16 @@ fn ends(effort: &Effort<'_>) -> Result<Findings> {
         }
     }
     let view = CORNELL.view([edge, edge]);
-    let exposure = Exposure::Ev(Exposure::Auto.ev(&matte.mean));
+    let exposure = Exposure::Ev(Exposure::Auto.ev(&matt.mean));
     let zoom = effort.of(4, 1);
     let image = |(caption, light)| Image::of_light(caption, picture(&view, light), exposure).zoomed(zoom);
     found.show(images.into_iter().map(image).collect::<Vec<_>>());
     let plot = Plot::new(
         format!("Error of the wall by the floor's virtual lights, {PATHS} paths"),
-        Axis::log("α, gloss to the left"),
-        Axis::log("RMS error over the mean [%]"),
+        Axis::linear("α, less is glossier").from_to(0.0, 0.55),
+        Axis::linear("RMS error over the mean [%]"),
     );
-    let level = ALPHAS.map(|alpha| [f64::from(alpha), 100.0 * matte.error]).to_vec();
+    let level = ALPHAS.map(|alpha| [f64::from(alpha), 100.0 * matt.error]).to_vec();
     let curves =
         ENDS_OF.iter().zip(curves).map(|((name, _), points)| Series::line(format!("glossy: {name}"), points));
     found.show(curves.fold(plot, Plot::with).with(Series::dashes("matt ends", level)));
