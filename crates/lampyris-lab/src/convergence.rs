@@ -13,6 +13,7 @@ use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::integrator;
 use lampyris::output::Exposure;
+use lampyris::scene::{Scene, View};
 use lampyris::world::World;
 
 pub(crate) const CONVERGENCE: Experiment = Experiment {
@@ -57,11 +58,13 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
         let half = |seed| oracle_by(effort, &scene, &view, (effort.of(1024, 8192), seed));
         let halves = [half(9_001)?, half(9_002)?];
         let truth: Vec<Rgb> = halves[0].iter().zip(&halves[1]).map(|(a, b)| (*a + *b) * 0.5).collect();
+        // What errors are told over knows nothing of theirs, and has less of its own.
+        let over = all_parts(effort, &scene, &view, most)?;
         let lit = is_lit(&truth);
         let steps = 2 * (ways().len() + 1);
         effort.step(number * (ways().len() + 1) + 1, steps)?;
         let mut plot = Plot::new(
-            format!("{file}, {edge} × {edge} pixels, against `path`"),
+            format!("{file}, {edge} × {edge} pixels, against the path tracer"),
             Axis::log("batches of 16 light paths and eye paths"),
             Axis::log("relative mean square error"),
         );
@@ -82,7 +85,10 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
                 if (index + 1).is_power_of_two() {
                     let ours = kept(&cpu.frame()?.mean(), &lit);
                     let [a, b] = [0, 1].map(|half: usize| kept(&halves[half], &lit));
-                    points.push([f64::from(index + 1), relative_square_between(&ours, [&a, &b])]);
+                    points.push([
+                        f64::from(index + 1),
+                        relative_square_between(&ours, [&a, &b], &kept(&over, &lit)),
+                    ]);
                 }
             }
             let ours = cpu.frame()?.mean();
@@ -117,7 +123,7 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
         }
         images.push(
             Image::of_light("the oracle `path`", picture(&view, truth), exposure).zoomed(if edge < 50 {
-                5
+                8
             } else {
                 4
             }),
@@ -128,6 +134,14 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
     }
     found.gap("⌊ρ̄ʲN⌋, what is not compensated and the full solution of 1996 are biased: their curves level off. What noise the oracle has itself is taken out: each error is the product of the differences from two of its pictures.");
     Ok(found)
+}
+
+/// The picture by all parts in so many batches.
+fn all_parts(effort: &Effort<'_>, scene: &Scene, view: &View, batches: u32) -> Result<Vec<Rgb>> {
+    let mut cpu = Cpu::new(None)?;
+    let settings = Settings { paths: 16, photons: 1 << 12, seed: 9_003, ..Settings::default() };
+    effort.render(&mut cpu, (scene.clone(), Eye::Camera(view.clone())), &settings, batches)?;
+    Ok(cpu.frame()?.mean())
 }
 
 /// Where light falls; lamps and their edges are left out, where pixels differ by what their samples happen to see of the lamp.

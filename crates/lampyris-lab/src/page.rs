@@ -41,7 +41,7 @@ fn section(record: &Record) -> String {
         escape(&record.title),
         escape(&record.paper),
         escape(&record.place),
-        escape(&record.claim)
+        prose(&record.claim)
     );
     if !record.comparisons.is_empty() {
         text += "<div class=\"wide\"><table>\n<thead><tr><th>figure</th><th>paper</th><th>ours</th><th>ratio</th>\
@@ -51,7 +51,7 @@ fn section(record: &Record) -> String {
     }
     text.extend(record.exhibits.iter().map(|shown| exhibit(&record.name, shown)));
     if !record.gaps.is_empty() {
-        let gaps: String = record.gaps.iter().map(|gap| format!("<li>{}</li>\n", escape(gap))).collect();
+        let gaps: String = record.gaps.iter().map(|gap| format!("<li>{}</li>\n", prose(gap))).collect();
         text += &format!("<h3>Where the paper leaves a gap</h3>\n<ul>\n{gaps}</ul>\n");
     }
     text + &format!(
@@ -69,8 +69,8 @@ fn comparison(c: &Comparison) -> String {
     let with_unit = |value: f64| escape(&format!("{}{unit}", digits(value)));
     let paper = match (c.paper, c.says.is_empty()) {
         (Some(value), true) => with_unit(value),
-        (Some(value), false) => format!("{} ({})", with_unit(value), escape(&c.says)),
-        (None, false) => escape(&c.says),
+        (Some(value), false) => format!("{} ({})", with_unit(value), prose(&c.says)),
+        (None, false) => prose(&c.says),
         (None, true) => "–".into(),
     };
     let asked = match c.demand {
@@ -87,14 +87,14 @@ fn comparison(c: &Comparison) -> String {
     let ratio = c.ratio().map(digits).unwrap_or_default();
     format!(
         "<tr><th scope=\"row\">{}</th><td>{paper}</td><td>{}</td><td>{ratio}</td><td>{asked}</td><td>{verdict}</td></tr>\n",
-        escape(&c.what),
+        prose(&c.what),
         with_unit(c.ours)
     )
 }
 
 fn exhibit(folder: &str, shown: &Shown) -> String {
     match shown {
-        Shown::Note(text) => format!("<p>{}</p>\n", escape(text)),
+        Shown::Note(text) => format!("<p>{}</p>\n", prose(text)),
         Shown::Table(table) => self::table(table),
         Shown::Plot { file, plot } => {
             let (width, height) = plot.size();
@@ -106,9 +106,10 @@ fn exhibit(folder: &str, shown: &Shown) -> String {
         }
         Shown::Images(images) => {
             let figure = |image: &ShownImage| {
-                let (file, [width, height], caption) = (&image.file, image.size, escape(&image.caption));
+                let (file, [width, height]) = (&image.file, image.size);
+                let (alt, caption) = (escape(&image.caption), prose(&image.caption));
                 format!(
-                    "<figure style=\"width: {width}px\"><img src=\"{folder}/{file}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\"/>\
+                    "<figure style=\"width: {width}px\"><img src=\"{folder}/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\"/>\
                      <figcaption>{caption}</figcaption></figure>\n"
                 )
             };
@@ -119,18 +120,45 @@ fn exhibit(folder: &str, shown: &Shown) -> String {
 }
 
 fn table(table: &Table) -> String {
-    let head: String = table.columns.iter().map(|c| format!("<th>{}</th>", escape(c))).collect();
+    let head: String = table.columns.iter().map(|c| format!("<th>{}</th>", prose(c))).collect();
     let row = |cells: &Vec<String>| {
-        let cells: String = cells.iter().map(|c| format!("<td>{}</td>", escape(c))).collect();
+        let cells: String = cells.iter().map(|c| format!("<td>{}</td>", prose(c))).collect();
         format!("<tr>{cells}</tr>\n")
     };
     let rows: String = table.rows.iter().map(row).collect();
-    let title = escape(&table.title);
+    let title = prose(&table.title);
     format!(
         "<div class=\"wide\"><table>\n<caption>{title}</caption>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
     )
 }
 
+/// Text of the page, in which what stands between backquotes is code.
+fn prose(text: &str) -> String {
+    let text = escape(text);
+    if !text.matches('`').count().is_multiple_of(2) {
+        return text;
+    }
+    let span = |(number, span): (usize, &str)| match number % 2 {
+        0 => span.to_owned(),
+        _ => format!("<code>{span}</code>"),
+    };
+    text.split('`').enumerate().map(span).collect()
+}
+
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn code_is_marked_and_nothing_of_the_text_is_markup() {
+        assert_eq!(
+            prose("the part `caustic`, <b> & `a<b`"),
+            "the part <code>caustic</code>, &lt;b&gt; &amp; <code>a&lt;b</code>"
+        );
+        assert_eq!(prose("one ` alone"), "one ` alone");
+    }
 }

@@ -32,29 +32,37 @@ pub struct Axis {
     pub log: bool,
     /// From where to where; else by what is drawn.
     pub range: Option<[f64; 2]>,
+    /// Of whole numbers: no mark lies between them.
+    #[serde(default)]
+    pub whole: bool,
 }
 
 impl Axis {
     /// In equal steps.
     pub fn linear(label: impl Into<String>) -> Axis {
-        Axis { label: label.into(), log: false, range: None }
+        Axis { label: label.into(), log: false, range: None, whole: false }
     }
 
     /// In equal factors; what is not positive is not drawn.
     pub fn log(label: impl Into<String>) -> Axis {
-        Axis { label: label.into(), log: true, range: None }
+        Axis { label: label.into(), log: true, range: None, whole: false }
     }
 
     /// From where to where.
     pub fn from_to(self, low: f64, high: f64) -> Axis {
         Axis { range: Some([low, high]), ..self }
     }
+
+    /// Of whole numbers.
+    pub fn of_whole(self) -> Axis {
+        Axis { whole: true, ..self }
+    }
 }
 
 /// A set of points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
-    /// Its name in the legend; none where empty.
+    /// Its name in the legend; where empty none, and it looks like the named one before it.
     pub name: String,
     /// x and y.
     pub points: Vec<[f64; 2]>,
@@ -98,8 +106,8 @@ impl Series {
     }
 }
 
-/// Blue, vermilion, green, purple, orange, sky blue, black.
-const COLORS: [RGBColor; 7] = [
+/// Blue, vermilion, green, purple, orange, sky blue, black, grey.
+const COLORS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -107,6 +115,7 @@ const COLORS: [RGBColor; 7] = [
     RGBColor(230, 159, 0),
     RGBColor(86, 180, 233),
     RGBColor(0, 0, 0),
+    RGBColor(130, 130, 130),
 ];
 
 const FONT: &str = "sans-serif";
@@ -153,11 +162,22 @@ impl Plot {
         (0..2).all(|which| point[which].is_finite() && (point[which] > 0.0 || !self.axis(which).log))
     }
 
+    /// Of each series the number that its colour and its mark follow from.
+    fn looks(&self) -> impl Iterator<Item = usize> {
+        let mut named = None;
+        self.series.iter().enumerate().map(move |(number, series)| {
+            if !series.name.is_empty() {
+                named = Some(number);
+            }
+            named.unwrap_or(number)
+        })
+    }
+
     /// From where to where an axis runs.
     fn scale(&self, which: usize) -> Scale {
         let axis = self.axis(which);
         if let Some([low, high]) = axis.range {
-            return Scale { low, high, log: axis.log };
+            return Scale { low, high, log: axis.log, whole: axis.whole };
         }
         let points = self.series.iter().flat_map(|s| &s.points).filter(|p| self.is_drawn(p));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -166,12 +186,12 @@ impl Plot {
             (low, high) = (1.0, 2.0);
         }
         if axis.log {
-            return Scale { low: low / 1.3, high: high * 1.3, log: true };
+            return Scale { low: low / 1.3, high: high * 1.3, log: true, whole: axis.whole };
         }
         let margin = if high > low { (high - low) * 0.05 } else { low.abs().max(1.0) * 0.1 };
         // What is never negative begins at zero.
         let low = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low - margin };
-        Scale { low, high: high + margin, log: false }
+        Scale { low, high: high + margin, log: false, whole: axis.whole }
     }
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
@@ -187,7 +207,7 @@ impl Plot {
         mesh.x_desc(&self.x.label).y_desc(&self.y.label).axis_desc_style((FONT, 14)).label_style((FONT, 13));
         mesh.light_line_style(WHITE).bold_line_style(RGBColor(224, 224, 224));
         mesh.draw().map_err(words)?;
-        for (number, series) in self.series.iter().enumerate() {
+        for (series, number) in self.series.iter().zip(self.looks()) {
             let stroke = color(number).stroke_width(2);
             let drawn = || series.points.iter().filter(|p| self.is_drawn(p)).map(|p| (p[0], p[1]));
             match series.mark {
@@ -213,9 +233,8 @@ impl Plot {
     /// Names beside the diagram, where they hide nothing.
     fn legend(&self, area: &Area<'_>, sheet: &Area<'_>) -> Result<(), Box<dyn Error>> {
         let left = self.size().0 as i32 - LEGEND as i32;
-        for (row, (number, series)) in
-            self.series.iter().enumerate().filter(|(_, s)| !s.name.is_empty()).enumerate()
-        {
+        let named = self.looks().zip(&self.series).filter(|(_, series)| !series.name.is_empty());
+        for (row, (number, series)) in named.enumerate() {
             let y = 60 + 26 * row as i32;
             let stroke = color(number).stroke_width(2);
             let strokes: &[[i32; 2]] = match series.mark {
@@ -241,6 +260,7 @@ struct Scale {
     low: f64,
     high: f64,
     log: bool,
+    whole: bool,
 }
 
 impl Scale {
@@ -252,7 +272,7 @@ impl Scale {
     fn ticks(&self) -> Vec<f64> {
         let inside = |t: &f64| (self.low..=self.high).contains(t);
         if !self.log {
-            let step = nice((self.high - self.low) / 6.0);
+            let step = nice((self.high - self.low) / 6.0).max(if self.whole { 1.0 } else { 0.0 });
             let first = (self.low / step).ceil();
             return (0..20).map(|k| (first + f64::from(k)) * step).filter(inside).collect();
         }
@@ -346,10 +366,11 @@ mod tests {
 
     #[test]
     fn axes_are_marked_at_round_numbers() {
-        let scale = |low, high, log| Scale { low, high, log }.ticks();
+        let scale = |low, high, log| Scale { low, high, log, whole: false }.ticks();
         assert_eq!(scale(0.0, 1.0, false).len(), 6);
         assert_eq!(scale(0.004, 0.07, true), [0.005, 0.01, 0.02, 0.05]);
         assert_eq!(scale(1.0, 1e6, true).len(), 7);
+        assert_eq!(Scale { low: -0.5, high: 2.5, log: false, whole: true }.ticks(), [0.0, 1.0, 2.0]);
     }
 
     #[test]

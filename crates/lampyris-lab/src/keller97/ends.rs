@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn even_lights_keep_the_flux() {
         let scene = shipped("cornell.mgf").scene().clone();
-        let settings = of_1997(64);
+        let settings = of_1997(256);
         for alpha in [None, Some(0.25)] {
             let world = World::new(coated(&scene, [alpha, None]));
             let walk = Walk::new(&world, &settings, &Plan::new(&world, &settings), Batch { index: 0 });

@@ -56,8 +56,8 @@ fn figure_5(effort: &Effort<'_>) -> Result<Findings> {
         if paths == 9 {
             let mut plot = Plot::new(
                 "Points of nine paths",
-                Axis::linear("path, i").from_to(-0.5, 8.5),
-                Axis::linear("generation, j").from_to(-0.5, longest as f64 - 0.5),
+                Axis::linear("path, i").from_to(-0.5, 8.5).of_whole(),
+                Axis::linear("generation, j").from_to(-0.5, longest as f64 - 0.5).of_whole(),
             );
             for path in 0..paths {
                 let line = (0..of_path(path)).map(|j| [f64::from(path), j as f64]).collect();
