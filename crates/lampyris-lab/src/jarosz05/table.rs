@@ -5,7 +5,7 @@ use super::phases::{Phases, Picture, caustic_photons, global_photons, median};
 use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::Experiment;
-use crate::findings::{Comparison, Findings, Image, Table, digits};
+use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::seen::Seen;
 use crate::stage::{RING, picture};
 use lampyris::backend::{Backend, Batch, Gather, Settings};
@@ -166,18 +166,21 @@ fn lines(phases: &Phases, totals: &[f64]) -> [Line; 4] {
 
 fn compare(found: &mut Findings, ours: &[Line; 4]) {
     let theirs = [0, 1, 2, 3].map(|row: usize| ROWS[row].thesis);
-    let mut both = |what: &str, unit: &str, of: &dyn Fn(&[Line; 4]) -> f64| {
-        found.compare(Comparison::new(what, unit, of(ours)).paper(of(&theirs)));
+    let of = |what: &str, unit: &str, figure: &dyn Fn(&[Line; 4]) -> f64| {
+        Comparison::new(what, unit, figure(ours)).paper(figure(&theirs))
     };
-    both("caustic photons traced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][1]);
-    both("global photons traced a second", "thousand", &|t| 1e-3 * t[3][3] / t[3][4]);
-    both("caustic photons balanced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][2]);
-    both("share of balancing in the time of c)", "%", &|t| 100.0 * t[2][2] / t[2][7]);
-    both("share of balancing in the time of d)", "%", &|t| 100.0 * (t[3][2] + t[3][5]) / t[3][7]);
-    both("share of range search in the time of c)", "%", &|t| 100.0 * t[2][6] / t[2][7]);
-    both("share of range search in the time of d)", "%", &|t| 100.0 * t[3][6] / t[3][7]);
+    let negligible = |comparison: Comparison| comparison.says("negligible").demand(Demand::AtMost(5.0));
+    found.compare(of("caustic photons traced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][1]));
+    found.compare(of("global photons traced a second", "thousand", &|t| 1e-3 * t[3][3] / t[3][4]));
+    found.compare(of("caustic photons balanced a second", "thousand", &|t| 1e-3 * t[2][0] / t[2][2]));
+    found
+        .compare(negligible(of("share of balancing in the time of c)", "%", &|t| 100.0 * t[2][2] / t[2][7])));
+    let both = |t: &[Line; 4]| 100.0 * (t[3][2] + t[3][5]) / t[3][7];
+    found.compare(negligible(of("share of balancing in the time of d)", "%", &both)));
+    found.compare(of("share of range search in the time of c)", "%", &|t| 100.0 * t[2][6] / t[2][7]));
+    found.compare(of("share of range search in the time of d)", "%", &|t| 100.0 * t[3][6] / t[3][7]));
     for (row, name) in [(1, "b)"), (2, "c)"), (3, "d)")] {
-        both(&format!("time of {name} over that of a)"), "", &|t| t[row][7] / t[0][7]);
+        found.compare(of(&format!("time of {name} over that of a)"), "", &|t| t[row][7] / t[0][7]));
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) const RADIUS: Experiment = Experiment {
     place: "§4.2, equation 4.4, §4.3",
     claim: "Radiance is estimated by the particles in a ball around the point, over the area of its section, which is approximately what \
             the ball covers of the surface. Where glossy light is seen, and for caustics, this is all there is.",
-    seconds: [14.0, 200.0],
+    seconds: [10.0, 120.0],
     run: radius,
 };
 
@@ -255,17 +255,17 @@ struct Sweep {
 
 /// A final gather in a box of gloss, which sees light by photons, against virtual lights and their compensation.
 fn of_gloss(effort: &Effort<'_>) -> Result<Sweep> {
-    let size = effort.of([64, 64], [256, 256]);
+    let size = effort.of([64, 64], [128, 128]);
     let parts = ["vpl", "compensation"].map(String::from).into();
     let exact = Settings { parts, paths: 1024, passes: Some(8), ..Settings::default() };
     let mut stage = Stage::new(effort, varnished(effort.scene("cornell.mgf")?), size, &exact)?;
-    let truth = stage.halves(&exact, effort.of(16, 128))?;
+    let truth = stage.halves(&exact, effort.of(16, 64))?;
     let exposure = Exposure::Ev(Exposure::Auto.ev(&whole(&truth)));
     let mut sweep = Sweep { steps: Vec::new(), images: Vec::new() };
-    let zoom = effort.of(3, 1);
+    let zoom = effort.of(3, 2);
     for step in 0..=HALVINGS {
         let radius = 0.64 / (1 << step) as f32;
-        let (paths, batches) = (effort.of(1 << 10, 1 << 12) << (2 * step), effort.of(4, 16));
+        let (paths, batches) = (effort.of(1 << 10, 1 << 12) << (2 * step), effort.of(4, 8));
         let gather = Gather { rays: 2, paths, radius: radius / stage.reach(), ..Gather::default() };
         let parts = vec!["final-gather".into()];
         let ours = stage.halves(&Settings { parts, gather, ..exact.clone() }, batches)?;
@@ -295,7 +295,7 @@ fn of_caustics(effort: &Effort<'_>) -> Result<Sweep> {
     let many = effort.of(1 << 21, 1 << 23);
     let truth = [3, 4].map(|seed| coarse(cpu.install(|| seen.traced(&shoot(many, seed)))));
     // Caustics are far brighter than what the middle of such a picture is.
-    let exposure = Exposure::Ev(Exposure::Auto.ev(&whole(&truth)) - 2.5);
+    let exposure = Exposure::Ev(Exposure::Auto.ev(&whole(&truth)) - 4.0);
     let mut sweep = Sweep { steps: Vec::new(), images: Vec::new() };
     for step in 0..=HALVINGS {
         let radius = 0.016 / (1 << step) as f32;

@@ -25,7 +25,7 @@ pub(crate) const ENDS: Experiment = Experiment {
     place: "§4.2",
     claim: "T_mn uses the full BRDF where light is received. If particles are equipped with their direction of incidence, more general \
             emission of light sources can be simulated, too. What either costs is not said.",
-    seconds: [6.0, 60.0],
+    seconds: [6.0, 80.0],
     run: ends,
 };
 
