@@ -15,6 +15,7 @@ use crate::scatter::{Arrival, RandomWalk, Rules};
 use crate::sequence;
 use crate::settings::{Batch, Settings};
 use crate::world::{Surface, World};
+use std::ops::Range;
 
 /// What parts look up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,9 +29,11 @@ pub struct Wants {
 /// What is found once a world, for all batches.
 #[derive(Clone, Debug)]
 pub struct Grounds {
-    wants: Wants,
     elements: Option<Elements>,
-    gloss: bool,
+    /// Whether photons of all light are looked up.
+    all: bool,
+    /// Whether those of caustics are.
+    caustics: bool,
     /// r [m].
     radius: f32,
 }
@@ -56,6 +59,15 @@ struct Layer {
     caustics: Option<PhotonMap>,
 }
 
+/// What some paths leave behind.
+#[derive(Default)]
+struct Left {
+    /// On elements [lm].
+    elements: Vec<(u32, Rgb)>,
+    all: Vec<Photon>,
+    caustics: Vec<Photon>,
+}
+
 impl Grounds {
     /// What these settings ask for; `None` where that is nothing.
     ///
@@ -67,7 +79,50 @@ impl Grounds {
         }
         let elements = wants.reflected.then(|| Elements::new(world, settings.gather.element)).transpose()?;
         let radius = settings.gather.radius * world.bounds().radius;
-        Ok(Some(Grounds { wants, elements, gloss: world.has_gloss(), radius }))
+        let all = wants.reflected && world.has_gloss();
+        let caustics = wants.caustics && world.bodies().make_caustics();
+        Ok(Some(Grounds { elements, all, caustics, radius }))
+    }
+
+    /// The light of some paths, each walked once for all that is wanted of it; adds the rays that they took.
+    fn light(&self, walk: &RandomWalk<'_>, paths: Range<u32>, rays: &mut u64) -> Layer {
+        let Grounds { elements, all, caustics, .. } = self;
+        if elements.is_none() && !all && !caustics {
+            return Layer::default();
+        }
+        let (world, count) = (walk.world(), paths.len() as u32);
+        let share = 1.0 / count.max(1) as f32;
+        let take = |left: &mut Left, light: &Arrival<'_>| {
+            if let Some(elements) = elements {
+                elements.lit_by(world, light, |element, flux| left.elements.push((element, flux)));
+            }
+            let of_caustics = *caustics && light.sharp && light.diffused;
+            if (*all || of_caustics)
+                && !light.surface.finish.dull.is_black()
+                && let Some(photon) = Photon::of(light, share)
+            {
+                left.all.extend(all.then_some(photon));
+                left.caustics.extend(of_caustics.then_some(photon));
+            }
+        };
+        let mut means = elements.as_ref().map(|elements| (elements, ElementLight::new(elements)));
+        let mut photons = Left::default();
+        *rays += walk.in_waves(paths, take, |left| {
+            if let Some((_, means)) = &mut means {
+                means.add(&left.elements, 0, 0);
+            }
+            photons.all.extend(left.all);
+            photons.caustics.extend(left.caustics);
+        });
+        let radiances = |(elements, mut means): (&Elements, ElementLight)| {
+            means.add(&[], count, 0);
+            means.radiances(elements)
+        };
+        Layer {
+            reflected: means.map(radiances).unwrap_or_default(),
+            all: all.then(|| PhotonMap::new(photons.all)),
+            caustics: caustics.then(|| PhotonMap::new(photons.caustics)),
+        }
     }
 }
 
@@ -94,24 +149,8 @@ impl<'g> Coarse<'g> {
             let walk = RandomWalk::tinted(world, rules, tint);
             let first = block.wrapping_mul(count);
             let paths = first..first.saturating_add(count);
-            let mut layer = Layer::default();
-            if let Some(elements) = &grounds.elements {
-                let light = ElementLight::of(&walk, elements, paths.clone());
-                coarse.rays += light.rays();
-                layer.reflected = light.radiances(elements);
-            }
-            // The same paths again: to walk them is little beside what looks them up.
-            let mut photons = |wanted: &(dyn Fn(&Arrival<'_>) -> bool + Sync)| {
-                let (map, rays) = PhotonMap::of_walk(&walk, paths.clone(), wanted);
-                coarse.rays += rays;
-                map
-            };
-            let dull = |light: &Arrival<'_>| !light.surface.finish.dull.is_black();
-            if grounds.wants.reflected && grounds.gloss {
-                layer.all = Some(photons(&dull));
-            }
-            if grounds.wants.caustics && world.bodies().make_caustics() {
-                let far = photons(&|light| light.sharp && light.diffused && dull(light));
+            let mut layer = grounds.light(&walk, paths, &mut coarse.rays);
+            if let Some(far) = &layer.caustics {
                 // Of lamps, photons are aimed: a walk hardly finds what is small.
                 let aimed = settings.photons;
                 let (near, rays) = photon::from_lights(world, aimed, &tint, (block, rules.seed), true);

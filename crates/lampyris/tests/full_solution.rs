@@ -4,7 +4,8 @@
 mod support;
 
 use glam::Vec3;
-use lampyris::backend::{Gather, Settings};
+use lampyris::backend::{Backend, Batch, Gather, Settings};
+use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::integrator::{FULL_SOLUTION, select};
 use lampyris::material::{Bsdf, Diffuse, Sides};
@@ -120,6 +121,29 @@ fn gloss_is_lit_by_photons() {
     }
 }
 
+/// Elements, photons for gloss and photons of caustics are left by one walk: whoever wants caustics has walked the paths that
+/// lit the elements, and traces not a ray more for them.
+#[test]
+fn one_walk_lights_all() {
+    let mut b = room();
+    let clear = b.material(glass(), 0.0, Sides::Both);
+    b.sphere(Vec3::new(-0.8, 0.5, 0.3), 0.4, 2, false, |_| clear);
+    let rays = |parts: &[&str]| {
+        let mut cpu = Cpu::new(None).unwrap();
+        let eye = view(Vec3::new(0.3, 1.6, 1.9), Vec3::new(0.0, 1.1, -1.0), 60.0, 4, 3);
+        cpu.begin(b.0.clone(), eye, &settings(parts, 4, 1, 7)).unwrap();
+        cpu.add(Batch { index: 0 }).unwrap();
+        cpu.statistics().rays.particle
+    };
+    let (all, caustics) = (rays(FULL_SOLUTION), rays(&["caustic-map"]));
+    let (gathered, nothing) = (rays(&["final-gather"]), rays(&["direct"]));
+    say(format_args!(
+        "{all} for all, {caustics} for caustics, {gathered} to gather, {nothing} for direct light"
+    ));
+    assert_eq!(all, caustics);
+    assert!(gathered < all && nothing + (1 << 15) < gathered);
+}
+
 /// A glass ball and a mirror in a room: light that photons of one radius bring to the floor is that of the parts *mirror* and
 /// *caustic*, whose radii shrink, to 1 %.
 #[test]
@@ -161,8 +185,8 @@ fn no_path_is_counted_twice() {
     let refused = Settings { gather: bad, ..full(1, 1, 1.0) }.check();
     assert!(matches!(refused, Err(Error::BadSetting(_))), "{refused:?}");
     let tiny = Settings { gather: Gather { element: 1e-5, ..Gather::default() }, ..full(1, 1, 1.0) };
-    let mut cpu = lampyris::cpu::Cpu::new(None).unwrap();
+    let mut cpu = Cpu::new(None).unwrap();
     let eye = Eye::Meters(vec![meter(Vec3::ONE, Vec3::Y)]);
-    let refused = lampyris::backend::Backend::begin(&mut cpu, room().0, eye, &tiny);
+    let refused = cpu.begin(room().0, eye, &tiny);
     assert!(matches!(refused, Err(Error::BadSetting(why)) if why.contains("larger")));
 }

@@ -4,13 +4,10 @@
 use super::Elements;
 use crate::color::Rgb;
 use crate::material::{Bsdf, Class, Diffuse, Ward};
-use crate::scatter::{Arrival, RUN, RandomWalk};
+use crate::scatter::{Arrival, RandomWalk};
 use crate::world::World;
 use std::f64::consts::PI;
 use std::ops::Range;
-
-/// Paths whose arrivals are held in memory before they are summed.
-const WAVE: u32 = 64 * RUN;
 
 /// What paths have left on the elements of a world.
 #[derive(Clone, Debug, Default)]
@@ -32,20 +29,17 @@ impl ElementLight {
     pub fn of(walk: &RandomWalk<'_>, elements: &Elements, numbers: Range<u32>) -> ElementLight {
         let mut light = ElementLight::new(elements);
         let world = walk.world();
-        for start in numbers.clone().step_by(WAVE as usize) {
-            let wave = start..numbers.end.min(start.saturating_add(WAVE));
-            light.paths += u64::from(wave.end - wave.start);
-            for (left, rays) in walk.paths(wave, |left: &mut Vec<(u32, Rgb)>, arrival| {
-                elements.lit_by(world, arrival, |element, flux| left.push((element, flux)));
-            }) {
-                light.add(&left, 0, rays);
-            }
-        }
+        let take = |left: &mut Vec<(u32, Rgb)>, arrival: &Arrival<'_>| {
+            elements.lit_by(world, arrival, |element, flux| left.push((element, flux)));
+        };
+        let count = numbers.len() as u32;
+        let rays = walk.in_waves(numbers, take, |left| light.add(&left, 0, 0));
+        light.add(&[], count, rays);
         light
     }
 
-    /// Adds what so many more paths left, in its order.
-    pub(super) fn add(&mut self, left: &[(u32, Rgb)], paths: u32, rays: u64) {
+    /// Adds what so many more paths left, in its order, and the rays that they took.
+    pub(crate) fn add(&mut self, left: &[(u32, Rgb)], paths: u32, rays: u64) {
         for (element, flux) in left {
             let sum = &mut self.sums[*element as usize];
             let flux = [flux.r, flux.g, flux.b].map(f64::from);

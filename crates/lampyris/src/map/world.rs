@@ -110,19 +110,22 @@ impl PhotonMap {
     ) -> (PhotonMap, u64) {
         let share = 1.0 / paths.len().max(1) as f32;
         let store = |photons: &mut Vec<Photon>, light: &Arrival<'_>| {
-            if wanted(light)
-                && let Some(flux) = light.lit()
-            {
-                let past = Past { dull: light.diffused, sharp_last: light.sharp, shadow: false };
-                let flux = flux * share;
-                photons.push(Photon::new(light.position(), light.normal(), light.from(), flux, past));
+            if wanted(light) {
+                photons.extend(Photon::of(light, share));
             }
         };
-        let runs = walk.paths(paths, store);
-        let rays = runs.iter().map(|(_, rays)| rays).sum();
-        let mut photons = Vec::with_capacity(runs.iter().map(|(run, _)| run.len()).sum());
-        runs.into_iter().for_each(|(run, _)| photons.extend(run));
+        let mut photons = Vec::new();
+        let rays = walk.in_waves(paths, store, |run| photons.extend(run));
         (PhotonMap::new(photons), rays)
+    }
+}
+
+impl Photon {
+    /// Light that came to a surface, of a path that is such a share of all; `None` where its surface sees none of it.
+    pub fn of(light: &Arrival<'_>, share: f32) -> Option<Photon> {
+        let past = Past { dull: light.diffused, sharp_last: light.sharp, shadow: false };
+        let lit = light.lit()?;
+        Some(Photon::new(light.position(), light.normal(), light.from(), lit * share, past))
     }
 }
 

@@ -27,6 +27,9 @@ pub use start::Lamps;
 /// Paths that one thread walks at a time: what [`RandomWalk::paths`] returns is cut by this number and by no other.
 pub const RUN: u32 = 1024;
 
+/// Paths whose arrivals are held in memory before somebody sums them.
+const WAVE: u32 = 64 * RUN;
+
 /// Arrivals after which every path ends: of paths that lose nothing on their way one in 10⁸ lives to be cut off.
 pub const MAX_ARRIVALS: u32 = 1024;
 
@@ -236,5 +239,24 @@ impl<'w> RandomWalk<'w> {
             (gathered, rays)
         };
         runs.into_par_iter().map(walk).collect()
+    }
+
+    /// [`Self::paths`] of any number, of which a few runs at a time are held in memory: hands what each run gathered to `then`,
+    /// in the order of their numbers. Returns the rays that all of them took.
+    pub fn in_waves<T: Default + Send>(
+        &self,
+        numbers: Range<u32>,
+        take: impl Fn(&mut T, &Arrival<'w>) + Sync,
+        mut then: impl FnMut(T),
+    ) -> u64 {
+        let mut all = 0;
+        for start in numbers.clone().step_by(WAVE as usize) {
+            let wave = start..numbers.end.min(start.saturating_add(WAVE));
+            for (gathered, rays) in self.paths(wave, &take) {
+                then(gathered);
+                all += rays;
+            }
+        }
+        all
     }
 }
