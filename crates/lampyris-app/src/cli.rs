@@ -312,7 +312,10 @@ pub(crate) struct EstimateArgs {
     /// Light paths of the random walk that lights the elements for `final-gather` in a batch
     #[arg(long, value_name = "N", default_value_t = Gather::default().paths)]
     pub(crate) gather_paths: u32,
-    /// How far photons may lie from what they light for `final-gather` on gloss and `caustic-map` [radii of the scene]
+    /// What these rays look up: the means of surface elements, or what photons bring to surfaces
+    #[arg(long, value_name = "elements|photons", default_value = Gather::default().source.name())]
+    pub(crate) gather_source: String,
+    /// How far photons may lie from what they light for `final-gather`, on gloss or by photons, and `caustic-map` [radii of the scene]
     #[arg(long, value_name = "SHARE", default_value_t = Gather::default().radius)]
     pub(crate) gather_radius: f32,
     /// Glossy surfaces one behind the other for `final-gather`: light is followed to the last, which photons light

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
 use lampyris::Error;
-use lampyris::backend::{Absorption, Backend, Batch, Gather, Settings};
+use lampyris::backend::{Absorption, Backend, Batch, Gather, Settings, Source};
 use lampyris::integrator;
 use lampyris::sequence::Sequence;
 use std::time::{Duration, Instant};
@@ -87,6 +87,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
         gather: Gather {
             rays: args.gather_rays,
             paths: args.gather_paths,
+            source: source(&args.gather_source)?,
             element: args.element,
             radius: args.gather_radius,
             levels: args.gather_levels,
@@ -105,6 +106,11 @@ pub(crate) fn absorption(name: &str) -> Result<Absorption, Error> {
     let known = Absorption::ALL.iter().map(|(n, _)| *n);
     let found = Absorption::ALL.iter().find(|(n, _)| *n == name).map(|(_, a)| *a);
     found.ok_or_else(|| unknown("absorption", name, known))
+}
+
+fn source(name: &str) -> Result<Source, Error> {
+    let found = Source::ALL.iter().find(|(n, _)| *n == name).map(|(_, source)| *source);
+    found.ok_or_else(|| unknown("source of --gather-source", name, Source::ALL.iter().map(|(n, _)| *n)))
 }
 
 fn sequence(name: &str) -> Result<Sequence, Error> {

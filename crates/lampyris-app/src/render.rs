@@ -250,9 +250,11 @@ fn metadata(
     batches: u32,
 ) -> Vec<(String, String)> {
     let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
-    let Gather { rays, paths, element, radius, levels } = settings.gather;
-    let gather =
-        format!("{rays} rays, {paths} paths, elements of {element} m, radius {radius}, {levels} levels");
+    let Gather { rays, paths, source, element, radius, levels } = settings.gather;
+    let gather = format!(
+        "{rays} rays, {paths} paths, by {}, elements of {element} m, radius {radius}, {levels} levels",
+        source.name()
+    );
     [
         ("software", format!("lampyris {}", env!("CARGO_PKG_VERSION"))),
         ("scene", args.scene.file.display().to_string()),

@@ -10,7 +10,7 @@ use crate::integrator;
 use crate::scene::Scene;
 use crate::sequence::Sequence;
 
-pub use crate::settings::{Absorption, Batch, Gather, Rays, Settings, Statistics};
+pub use crate::settings::{Absorption, Batch, Gather, Rays, Settings, Source, Statistics};
 
 impl Default for Settings {
     fn default() -> Self {
@@ -84,7 +84,7 @@ impl Settings {
         if self.photons == 0 || self.photons > 1 << 24 {
             return bad("the number of photons must be 1 to 16777216");
         }
-        let Gather { rays, paths, element, radius, levels } = self.gather;
+        let Gather { rays, paths, element, radius, levels, .. } = self.gather;
         if !(1..=1 << 16).contains(&rays) || !(1..=1 << 24).contains(&paths) {
             return bad("final gathering takes 1 to 65536 rays a point and 1 to 16777216 light paths");
         }

@@ -5,17 +5,26 @@
 //! is that elements are of one brightness each, and that photons light what lies around them.
 
 use crate::color::Rgb;
-use crate::elements::{ElementLight, Elements};
+use crate::elements::{ElementLight, Elements, shares};
 use crate::error::Result;
 use crate::geometry::Hit;
-use crate::map::{Estimate, Kernel, Photon, PhotonMap, Reach, Reader};
+use crate::map::{Estimate, Kernel, Photon, PhotonMap, Precomputed, Reach, Reader};
 use crate::particle::Plan;
 use crate::photon;
 use crate::scatter::{Arrival, RandomWalk, Rules};
 use crate::sequence;
-use crate::settings::{Batch, Settings};
+use crate::settings::{Batch, Settings, Source};
 use crate::world::{Surface, World};
+use glam::Vec3;
+use std::f32::consts::FRAC_1_PI;
 use std::ops::Range;
+
+/// k: illuminance is kept at every so many photons.
+const KEPT: u32 = 4;
+
+/// The radius of illuminance that is kept, in units of r. Many rays find it at many places: they level what few photons leave
+/// uneven, but not what a disc loses over the edge of its surface.
+const NARROW: f32 = 0.25;
 
 /// What parts look up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,6 +38,7 @@ pub struct Wants {
 /// What is found once a world, for all batches.
 #[derive(Clone, Debug)]
 pub struct Grounds {
+    /// Where their means are looked up.
     elements: Option<Elements>,
     /// Whether photons of all light are looked up.
     all: bool,
@@ -51,12 +61,32 @@ pub struct Coarse<'g> {
 /// The light of one group.
 #[derive(Clone, Debug, Default)]
 struct Layer {
-    /// Radiance that each element reflects [cd/m²].
-    reflected: Vec<Rgb>,
-    /// All light that comes to surfaces.
-    all: Option<PhotonMap>,
+    reflected: Reflected,
     /// What came over a sharp surface.
     caustics: Option<PhotonMap>,
+}
+
+/// What surfaces reflect.
+#[derive(Clone, Debug, Default)]
+enum Reflected {
+    /// Nobody asks.
+    #[default]
+    Nothing,
+    /// Radiance of each element [cd/m²], and all photons where gloss sees them.
+    Elements(Vec<Rgb>, Option<PhotonMap>),
+    /// Illuminance kept at photons.
+    Photons(Precomputed),
+}
+
+impl Reflected {
+    /// All light that comes to surfaces.
+    fn photons(&self) -> Option<&PhotonMap> {
+        match self {
+            Reflected::Nothing => None,
+            Reflected::Elements(_, photons) => photons.as_ref(),
+            Reflected::Photons(kept) => Some(kept.map()),
+        }
+    }
 }
 
 /// What some paths leave behind.
@@ -77,9 +107,12 @@ impl Grounds {
         if wants == Wants::default() {
             return Ok(None);
         }
-        let elements = wants.reflected.then(|| Elements::new(world, settings.gather.element)).transpose()?;
+        let by_elements = settings.gather.source == Source::Elements;
+        let elements =
+            (wants.reflected && by_elements).then(|| Elements::new(world, settings.gather.element));
+        let elements = elements.transpose()?;
         let radius = settings.gather.radius * world.bounds().radius;
-        let all = wants.reflected && world.has_gloss();
+        let all = wants.reflected && (!by_elements || world.has_gloss());
         let caustics = wants.caustics && world.bodies().make_caustics();
         Ok(Some(Grounds { elements, all, caustics, radius }))
     }
@@ -114,15 +147,29 @@ impl Grounds {
             photons.all.extend(left.all);
             photons.caustics.extend(left.caustics);
         });
-        let radiances = |(elements, mut means): (&Elements, ElementLight)| {
-            means.add(&[], count, 0);
-            means.radiances(elements)
+        let map = all.then(|| PhotonMap::new(photons.all));
+        let reflected = match (means, map) {
+            (Some((elements, mut means)), map) => {
+                means.add(&[], count, 0);
+                Reflected::Elements(means.radiances(elements), map)
+            }
+            (None, Some(map)) => Reflected::Photons(Precomputed::new(map, KEPT, self.within(NARROW))),
+            (None, None) => Reflected::Nothing,
         };
-        Layer {
-            reflected: means.map(radiances).unwrap_or_default(),
-            all: all.then(|| PhotonMap::new(photons.all)),
-            caustics: caustics.then(|| PhotonMap::new(photons.caustics)),
-        }
+        Layer { reflected, caustics: caustics.then(|| PhotonMap::new(photons.caustics)) }
+    }
+
+    /// By the photons within a share of r.
+    fn within(&self, share: f32) -> Estimate {
+        Estimate { kernel: Kernel::Constant, reach: Reach::Within(share * self.radius) }
+    }
+
+    /// The illuminance of a side of a surface [lx]: that which is kept nearest, not farther than half the radius that it is of;
+    /// where there is none, that of all photons within this radius. Together they are right in the mean, however few
+    /// photons there are (docs/light-transport.md, "Final gathering").
+    fn irradiance(&self, kept: &Precomputed, x: Vec3, normal: Vec3) -> Rgb {
+        let here = || Reader::new(kept.map(), self.within(NARROW)).irradiance(x, normal);
+        kept.irradiance(x, normal, 0.5 * NARROW * self.radius).unwrap_or_else(here)
     }
 }
 
@@ -163,26 +210,36 @@ impl<'g> Coarse<'g> {
         coarse
     }
 
-    /// Adds to each group's sum `factor` times the radiance that a side of a surface reflects evenly [cd/m²].
+    /// Adds to each group's sum `factor` times the radiance that `y`, where a ray hit, reflects evenly to the side of its `wo`
+    /// [cd/m²].
     #[inline]
-    pub fn add_mean(&self, world: &World, hit: &Hit, front: bool, factor: Rgb, out: &mut [Rgb]) {
-        let element = self.grounds.elements.as_ref().and_then(|elements| elements.at(world, hit, front));
-        if let Some(element) = element {
-            for (out, layer) in out.iter_mut().zip(&self.layers) {
-                *out += factor * layer.reflected[element as usize];
+    pub fn add_mean(&self, world: &World, hit: &Hit, y: &Surface<'_>, factor: Rgb, out: &mut [Rgb]) {
+        let element = self.grounds.elements.as_ref().and_then(|elements| elements.at(world, hit, y.front));
+        for (out, layer) in out.iter_mut().zip(&self.layers) {
+            match (&layer.reflected, element) {
+                (Reflected::Elements(means, _), Some(element)) => *out += factor * means[element as usize],
+                (Reflected::Photons(kept), _) => {
+                    for (share, normal) in shares(y).into_iter().zip([y.normal, -y.normal]) {
+                        if !share.is_black() {
+                            let lux = self.grounds.irradiance(kept, y.position, normal);
+                            *out += factor * share * lux * FRAC_1_PI;
+                        }
+                    }
+                }
+                _ => {}
             }
         }
     }
 
     /// Whether there are photons of all light.
     pub fn has_photons(&self) -> bool {
-        self.layers.iter().any(|layer| layer.all.is_some())
+        self.grounds.all
     }
 
     /// Adds to each group's sum `factor` times the radiance that the dull lobes of `y` send toward its `wo`, by their full f_r
     /// and the photons around it [cd/m²].
     pub fn add_lit(&self, y: &Surface<'_>, factor: Rgb, out: &mut [Rgb]) {
-        self.read(y, factor, out, |layer| layer.all.as_ref());
+        self.read(y, factor, out, |layer| layer.reflected.photons());
     }
 
     /// The same of light that came over a sharp surface.
@@ -197,7 +254,7 @@ impl<'g> Coarse<'g> {
         out: &mut [Rgb],
         map: impl Fn(&'a Layer) -> Option<&'a PhotonMap>,
     ) {
-        let estimate = Estimate { kernel: Kernel::Constant, reach: Reach::Within(self.grounds.radius) };
+        let estimate = self.grounds.within(1.0);
         for (out, layer) in out.iter_mut().zip(&self.layers) {
             if let Some(map) = map(layer) {
                 *out += factor * Reader::new(map, estimate).radiance(y);

@@ -70,9 +70,12 @@ pub struct Gather {
     pub rays: u32,
     /// Light paths of the walk of 1996 that light the elements in one batch, dealt to the light groups by their shares.
     pub paths: u32,
+    /// What the rays look up.
+    pub source: Source,
     /// The longest edge of an element [m].
     pub element: f32,
-    /// r, how far photons may lie from the point that they light [radii of the scene].
+    /// r, how far photons may lie from the point that they light [radii of the scene]; a quarter of it where illuminance is kept
+    /// at photons.
     pub radius: f32,
     /// Glossy surfaces one behind the other: light is followed over the lobes of all but the last, which photons light.
     pub levels: u32,
@@ -80,7 +83,31 @@ pub struct Gather {
 
 impl Default for Gather {
     fn default() -> Gather {
-        Gather { rays: 16, paths: 1 << 15, element: 0.3, radius: 0.02, levels: 1 }
+        let source = Source::Elements;
+        Gather { rays: 16, paths: 1 << 15, source, element: 0.3, radius: 0.02, levels: 1 }
+    }
+}
+
+/// What tells the rays of a final gather how much a surface reflects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Source {
+    /// The mean of the surface element [Keller96, §4.3].
+    Elements,
+    /// The illuminance kept at the nearest photon [Christensen 1999].
+    Photons,
+}
+
+impl Source {
+    /// All of them with their names on the command line.
+    pub const ALL: &[(&'static str, Source)] =
+        &[("elements", Source::Elements), ("photons", Source::Photons)];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Source::Elements => "elements",
+            Source::Photons => "photons",
+        }
     }
 }
 

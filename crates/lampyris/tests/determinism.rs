@@ -4,9 +4,10 @@ mod support;
 
 use glam::Vec3;
 use lampyris::Rgb;
-use lampyris::backend::{Absorption, Backend, Batch, Settings};
+use lampyris::backend::{Absorption, Backend, Batch, Gather, Settings, Source};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
+use lampyris::integrator::FULL_SOLUTION;
 use lampyris::light::{Beam, LightKind};
 use lampyris::material::Sides;
 use lampyris::scene::Scene;
@@ -54,7 +55,12 @@ fn eyes() -> [Eye; 2] {
 fn any_number_of_threads_and_any_run() {
     for eye in eyes() {
         let shown = Settings { paths: 100, photons: 500, ..Settings::interactive() };
-        for s in [settings(FAST, 20, 7, 1), settings(ORACLE, 1, 3, 1), shown] {
+        let gathered = Gather { rays: 2, paths: 1 << 10, source: Source::Photons, ..Gather::default() };
+        let mapped = ["emission", "direct", "final-gather", "caustic-map"];
+        let mapped = Settings { photons: 1 << 12, gather: gathered, ..settings(&mapped, 20, 3, 1) };
+        let elements = Gather { source: Source::Elements, ..gathered };
+        let full = Settings { gather: elements, ..settings(FULL_SOLUTION, 20, 3, 1) };
+        for s in [settings(FAST, 20, 7, 1), settings(ORACLE, 1, 3, 1), shown, mapped, full] {
             let one = bits(1, &eye, &s);
             assert!(one.iter().any(|b| *b != 0), "a black picture proves nothing");
             for threads in [1, 2, 3, 7] {

@@ -5,7 +5,7 @@ use super::Elements;
 use crate::color::Rgb;
 use crate::material::{Bsdf, Class, Diffuse, Ward};
 use crate::scatter::{Arrival, RandomWalk};
-use crate::world::World;
+use crate::world::{Surface, World};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -83,7 +83,7 @@ impl Elements {
     pub fn lit_by(&self, world: &World, arrival: &Arrival<'_>, mut add: impl FnMut(u32, Rgb)) {
         let Some(flux) = arrival.lit() else { return };
         let front = arrival.surface.front;
-        let [reflected, passed] = shares(arrival);
+        let [reflected, passed] = shares(&arrival.surface);
         for (share, front) in [(reflected, front), (passed, !front)] {
             if let (false, Some(element)) = (share.is_black(), self.at(world, &arrival.hit, front)) {
                 add(element, flux * share);
@@ -92,9 +92,9 @@ impl Elements {
     }
 }
 
-/// What the dull lobes send back to the side of arrival, and what to the other. Of rough glass, half each.
-fn shares(arrival: &Arrival<'_>) -> [Rgb; 2] {
-    let y = &arrival.surface;
+/// What the dull lobes send back to the side of `wo` of light that comes from there, and what to the other. Of rough glass,
+/// half each. The same they send toward `wo` of light that is even on a side, by reciprocity.
+pub(crate) fn shares(y: &Surface<'_>) -> [Rgb; 2] {
     if let Some(rho) = y.finish.lambertian {
         return [rho, Rgb::BLACK];
     }

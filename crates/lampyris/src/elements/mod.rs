@@ -14,6 +14,7 @@ mod light;
 pub use converge::{Converged, Criterion, converge};
 pub use cube::{ClosedCube, CubeRun};
 pub use light::ElementLight;
+pub(crate) use light::shares;
 
 use crate::color::Rgb;
 use crate::error::{Error, Result};

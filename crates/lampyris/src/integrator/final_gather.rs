@@ -100,7 +100,7 @@ fn look<'w>(
             shine(pass, emitter, factor * y.emission(), out);
         }
         if !by_photons {
-            return coarse.add_mean(world, &hit, y.front, factor, out);
+            return coarse.add_mean(world, &hit, &y, factor, out);
         }
         let last = level + 1 == pass.settings.gather.levels;
         match y.parted().filter(|_| !last && y.finish.lambertian.is_none()) {
