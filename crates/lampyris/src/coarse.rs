@@ -4,11 +4,13 @@
 //! Lookups are linear in this light, so the mean of pictures by many coarse batches is the picture by one large one; what stays
 //! is that elements are of one brightness each, and that photons light what lies around them.
 
+mod shades;
+
 use crate::color::Rgb;
 use crate::elements::{ElementLight, Elements, shares};
 use crate::error::Result;
 use crate::geometry::Hit;
-use crate::map::{Estimate, Kernel, Photon, PhotonMap, Precomputed, Reach, Reader};
+use crate::map::{Estimate, Kernel, Photon, PhotonMap, Precomputed, Reach, Reader, Seen};
 use crate::particle::Plan;
 use crate::photon;
 use crate::scatter::{Arrival, RandomWalk, Rules};
@@ -16,6 +18,7 @@ use crate::sequence;
 use crate::settings::{Batch, Settings, Source};
 use crate::world::{Surface, World};
 use glam::Vec3;
+use shades::Shades;
 use std::f32::consts::FRAC_1_PI;
 use std::ops::Range;
 
@@ -33,6 +36,8 @@ pub struct Wants {
     pub reflected: bool,
     /// Photons that came over a sharp surface.
     pub caustics: bool,
+    /// Shadow photons of lamps.
+    pub shadows: bool,
 }
 
 /// What is found once a world, for all batches.
@@ -46,6 +51,8 @@ pub struct Grounds {
     caustics: bool,
     /// r [m].
     radius: f32,
+    /// Where lamps are seen, if anybody asks.
+    shades: Option<Shades>,
 }
 
 /// The light of one batch.
@@ -114,7 +121,20 @@ impl Grounds {
         let radius = settings.gather.radius * world.bounds().radius;
         let all = wants.reflected && (!by_elements || world.has_gloss());
         let caustics = wants.caustics && world.bodies().make_caustics();
-        Ok(Some(Grounds { elements, all, caustics, radius }))
+        let shades = wants.shadows.then(|| Shades::new(world, settings));
+        Ok(Some(Grounds { elements, all, caustics, radius, shades }))
+    }
+
+    /// The light of some emitters is another one now, while surfaces stayed where they were.
+    pub fn follow(&mut self, world: &World, settings: &Settings, emitters: &[u32]) {
+        if let Some(shades) = &mut self.shades {
+            shades.renew(world, settings, emitters);
+        }
+    }
+
+    /// Rays that it took until now.
+    pub fn rays(&self) -> u64 {
+        self.shades.as_ref().map_or(0, |shades| shades.rays)
     }
 
     /// The light of some paths, each walked once for all that is wanted of it; adds the rays that they took.
@@ -229,6 +249,12 @@ impl<'g> Coarse<'g> {
                 _ => {}
             }
         }
+    }
+
+    /// What shadow photons know of the way from the side of a surface that the unit `normal` points to, to an emitter.
+    #[inline]
+    pub fn seen(&self, emitter: u32, x: Vec3, normal: Vec3) -> Seen {
+        self.grounds.shades.as_ref().map_or(Seen::Unsure, |shades| shades.seen(emitter, x, normal))
     }
 
     /// Whether there are photons of all light.

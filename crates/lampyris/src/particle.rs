@@ -33,6 +33,8 @@ pub struct Vpl<'w> {
     pub bound: f32,
     /// The vertex itself where its dull lobes are not Lambertian; its `wo` is where the particle came from.
     pub gloss: Option<Surface<'w>>,
+    /// The emitter that its light is from.
+    pub emitter: u32,
 }
 
 /// What picking among virtual lights asks of each, in half a cache line.
@@ -79,8 +81,6 @@ pub struct Walk<'w> {
     pub lights: Vec<Vpl<'w>>,
     /// Vertices: generations 1 and up.
     pub vpls: Vec<Vpl<'w>>,
-    /// The emitter that each vertex has its light from.
-    pub sources: Vec<u32>,
     /// Of each vertex, in their order.
     beacons: Vec<Beacon>,
     /// Where the lights of each class begin, and at last where they end.
@@ -251,23 +251,22 @@ impl<'w> Walk<'w> {
             walk.vpl_starts.push(walk.vpls.len());
             for &k in &members {
                 walk.lights.extend(traced[k].light);
-                walk.leave(&traced[k].vertices, paths[k].emitter);
+                walk.leave(&traced[k].vertices);
                 walk.rays += traced[k].rays;
             }
             walk.cuts.push(walk.vpls.len());
             let beacons = &walk.beacons[walk.vpl_starts[walk.cuts.len() - 1]..];
             let image = |(number, mirror)| Reflected::new(number, mirror, beacons);
             walk.reflected.push((0..).zip(world.mirrors()).map(image).collect());
-            members.iter().for_each(|k| walk.leave(&traced[*k].beyond, paths[*k].emitter));
+            members.iter().for_each(|k| walk.leave(&traced[*k].beyond));
         }
         walk.light_starts.push(walk.lights.len());
         walk.vpl_starts.push(walk.vpls.len());
         walk
     }
 
-    fn leave(&mut self, vertices: &[Vpl<'w>], emitter: usize) {
+    fn leave(&mut self, vertices: &[Vpl<'w>]) {
         self.vpls.extend_from_slice(vertices);
-        self.sources.resize(self.vpls.len(), emitter as u32);
         self.beacons.extend(vertices.iter().map(Beacon::from));
     }
 
@@ -295,10 +294,9 @@ impl<'w> Walk<'w> {
         (&self.vpls[range.clone()], &self.beacons[range])
     }
 
-    /// The vertices within the limit, each with the emitter that its light is from.
-    pub fn with_sources(&self) -> impl Iterator<Item = (&Vpl<'w>, u32)> {
-        let ranges = self.vpl_starts.iter().zip(&self.cuts).map(|(start, cut)| *start..*cut);
-        ranges.flat_map(|range| self.vpls[range.clone()].iter().zip(self.sources[range].iter().copied()))
+    /// The vertices within the limit.
+    pub fn within(&self) -> impl Iterator<Item = &Vpl<'w>> {
+        self.vpl_starts.iter().zip(&self.cuts).flat_map(|(start, cut)| &self.vpls[*start..*cut])
     }
 }
 
@@ -428,6 +426,7 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
             intensity: point.intensity * (share / pointing as f32) * tint,
             bound: plan.emitter_bounds[plan.layers[path.emitter]],
             gloss: None,
+            emitter: path.emitter as u32,
         }
     });
 
@@ -449,7 +448,8 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
         let Some(y) = world.closest(&ray) else { break };
         flux *= y.clear_from(ray.origin, last.as_ref());
         let vertices = if generation <= limit { &mut vertices } else { &mut beyond };
-        deposit(&y, flux * (share / expected as f32), plan.bound, vertices);
+        let flux_of_all = flux * (share / expected as f32);
+        deposit(&y, flux_of_all, (path.emitter as u32, plan.bound), vertices);
 
         let (s, d) = y.finish.weights();
         if s + d <= 0.0 {
@@ -480,13 +480,14 @@ fn trace<'w>(world: &'w World, settings: &Settings, plan: &Plan, path: &Path) ->
 }
 
 /// Leaves virtual point lights at a vertex: one on each side to which its dull lobes send light.
-fn deposit<'w>(y: &Surface<'w>, flux: Rgb, bound: f32, vertices: &mut Vec<Vpl<'w>>) {
+fn deposit<'w>(y: &Surface<'w>, flux: Rgb, (emitter, bound): (u32, f32), vertices: &mut Vec<Vpl<'w>>) {
     let Some(arrived) = y.flux_density() else { return };
     let flux = flux * arrived;
     let mut leave = |normal: Vec3, intensity: Rgb, gloss: Option<Surface<'w>>| {
         let position = y.spawn(normal);
         if !intensity.is_black() {
-            vertices.push(Vpl { position, shine: Shine::Lambert(normal), intensity, bound, gloss });
+            let shine = Shine::Lambert(normal);
+            vertices.push(Vpl { position, shine, intensity, bound, gloss, emitter });
         }
     };
     match &y.finish.bsdf {

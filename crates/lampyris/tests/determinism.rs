@@ -56,7 +56,7 @@ fn any_number_of_threads_and_any_run() {
     for eye in eyes() {
         let shown = Settings { paths: 100, photons: 500, ..Settings::interactive() };
         let gathered = Gather { rays: 2, paths: 1 << 10, source: Source::Photons, ..Gather::default() };
-        let mapped = ["emission", "direct", "final-gather", "caustic-map"];
+        let mapped = ["emission", "direct-map", "final-gather", "caustic-map"];
         let mapped = Settings { photons: 1 << 12, gather: gathered, ..settings(&mapped, 20, 3, 1) };
         let elements = Gather { source: Source::Elements, ..gathered };
         let full = Settings { gather: elements, ..settings(FULL_SOLUTION, 20, 3, 1) };

@@ -11,7 +11,7 @@ use crate::frame::Frame;
 use crate::integrator::{self, Integrator};
 use crate::particle::Plan;
 use crate::scene::Edit;
-use crate::settings::{Settings, Statistics};
+use crate::settings::{Rays, Settings, Statistics};
 use crate::world::{Changes, World};
 
 /// An eye, how its light is estimated, and the sums.
@@ -73,7 +73,7 @@ impl Film {
             plan,
             melted: None,
             begun: Vec::new(),
-            statistics: Statistics::default(),
+            statistics: begun(grounds.as_ref()),
             eye,
             settings,
             grounds,
@@ -88,6 +88,11 @@ impl Film {
     pub(super) fn follow(&mut self, world: &World, edit: &Edit, changes: &Changes) {
         if !changes.groups.is_empty() {
             self.plan = self.plan(world);
+        }
+        if let (Some(grounds), false) = (&mut self.grounds, changes.restarts_all()) {
+            let before = grounds.rays();
+            grounds.follow(world, &self.settings, &changes.emitters);
+            self.statistics.rays.particle += grounds.rays() - before;
         }
         match (edit, &self.melted) {
             (Edit::Regroup { .. }, None) => self.frame.regroup(&changes.groups),
@@ -110,7 +115,7 @@ impl Film {
         (0..self.plan.layers()).for_each(|layer| self.frame.change(layer));
         self.frame.forget_first();
         self.frame.set_mix(&self.mix(world));
-        self.statistics = Statistics::default();
+        self.statistics = begun(self.grounds.as_ref());
         Ok(())
     }
 
@@ -125,4 +130,10 @@ impl Film {
     fn mix(&self, world: &World) -> Vec<Rgb> {
         if self.melted.is_some() { vec![Rgb::WHITE] } else { world.mix() }
     }
+}
+
+/// What was done before the first batch.
+fn begun(grounds: Option<&Grounds>) -> Statistics {
+    let rays = Rays { particle: grounds.map_or(0, Grounds::rays), ..Rays::default() };
+    Statistics { rays, ..Statistics::default() }
 }

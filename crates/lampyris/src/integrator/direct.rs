@@ -27,17 +27,22 @@ impl Integrator for Direct {
     }
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
-        gather::tile_of_points(pass, tile, out, &mut rays.shadow);
-        let reach = 1.0 / pass.plan.emitter_bound.sqrt();
-        if reach == 0.0 {
-            return;
-        }
-        let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
-        let costly = Costly { purpose: b'd', phase: 0, stake: tile.stake };
-        costly.add(pass, near, out, |x, numbers, found| {
-            near_light(pass, x, Way::Straight, numbers, found, rays);
-        });
+        gather::tile_of_points(pass, tile, gather::Unknown, out, &mut rays.shadow);
+        tile_of_near(pass, tile, out, rays);
     }
+}
+
+/// Adds what clamping took from lights near the points of a tile.
+pub(super) fn tile_of_near(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
+    let reach = 1.0 / pass.plan.emitter_bound.sqrt();
+    if reach == 0.0 {
+        return;
+    }
+    let near = tile.packets.iter().filter(|p| pass.world.may_glow_near(p.extent(), reach));
+    let costly = Costly { purpose: b'd', phase: 0, stake: tile.stake };
+    costly.add(pass, near, out, |x, numbers, found| {
+        near_light(pass, x, Way::Straight, numbers, found, rays);
+    });
 }
 
 /// Adds the radiance at one point by all direct light, group by group: the clear, scalar form.

@@ -140,15 +140,45 @@ pub(super) fn some_of<'a, 'w>(
     some.map(light_of).fold(Rgb::BLACK, |a, b| a + b) * gap
 }
 
-/// Adds what every point of a tile receives from the light points of a pass.
-pub(super) fn tile_of_points(pass: &Pass<'_>, tile: &Tile<'_>, out: &mut [Vec<Rgb>], rays: &mut u64) {
+/// What is known of whether lights are seen before a ray is traced. Lights of one emitter are asked for one after the other.
+pub(super) trait Sight: Copy {
+    /// Of some lanes of the packet of a number, below [`PARTS`], those that surely see a light, and those that a ray has
+    /// to tell of.
+    fn of(&mut self, number: usize, packet: &Packet<'_>, light: &Vpl<'_>, of: u16) -> [u16; 2];
+}
+
+/// Nothing: rays tell.
+#[derive(Clone, Copy)]
+pub(super) struct Unknown;
+
+impl Sight for Unknown {
+    #[inline(always)]
+    fn of(&mut self, _: usize, _: &Packet<'_>, _: &Vpl<'_>, of: u16) -> [u16; 2] {
+        [0, of]
+    }
+}
+
+/// Adds what every point of a tile receives from the light points of a pass; `sight` is what is known of any packets.
+pub(super) fn tile_of_points(
+    pass: &Pass<'_>,
+    tile: &Tile<'_>,
+    sight: impl Sight,
+    out: &mut [Vec<Rgb>],
+    rays: &mut u64,
+) {
     for (lights, out) in pass.zip(out) {
-        self::tile(pass.world, tile, lights.points, out, rays);
+        self::tile(pass.world, tile, (lights.points, sight), out, rays);
     }
 }
 
 /// Adds what every point of a tile receives from a list of lights.
-fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], rays: &mut u64) {
+fn tile(
+    world: &World,
+    tile: &Tile<'_>,
+    (lights, sight): (&[Vpl<'_>], impl Sight),
+    out: &mut [Rgb],
+    rays: &mut u64,
+) {
     if lights.is_empty() {
         return;
     }
@@ -157,8 +187,8 @@ fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], ray
     for some in live.chunks(PARTS) {
         let mut gathered: Vec<Gathered<'_, '_>> = some.iter().map(|p| Gathered::new(p)).collect();
         match some.len() {
-            1 => gather::<1>(world, &mut gathered, &mut asked, rays),
-            _ => gather::<PARTS>(world, &mut gathered, &mut asked, rays),
+            1 => gather::<1>(world, &mut gathered, &mut asked, sight, rays),
+            _ => gather::<PARTS>(world, &mut gathered, &mut asked, sight, rays),
         }
         for (p, gathered) in some.iter().zip(&mut gathered) {
             add(p, &gathered.take(), out);
@@ -167,7 +197,7 @@ fn tile(world: &World, tile: &Tile<'_>, lights: &[Vpl<'_>], out: &mut [Rgb], ray
 }
 
 /// Packets of neighbouring pixels whose shadow rays walk together.
-const PARTS: usize = 4;
+pub(super) const PARTS: usize = 4;
 
 /// Adds what every point of a tile receives from those virtual lights of a pass that `which` names of each group, as many
 /// of them as settings allow.
@@ -181,7 +211,7 @@ pub(super) fn tile_of_vpls<'w>(
     let (world, kernel) = (pass.world, pass.world.tracer().kernel());
     let picks = |lights: &'w Lights<'w>| lights.picks(pass.settings, which(lights).0, tile);
     for (lights, out) in pass.zip(out).filter(|(lights, _)| picks(lights).is_none()) {
-        self::tile(world, tile, which(lights).0, out, rays);
+        self::tile(world, tile, (which(lights).0, Unknown), out, rays);
     }
     if pass.lights.iter().all(|lights| picks(lights).is_none()) {
         return;
@@ -197,7 +227,7 @@ pub(super) fn tile_of_vpls<'w>(
                 asked.push(Asked::new(&vpls[k], factor));
             });
             if !asked.is_empty() {
-                gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, rays);
+                gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, Unknown, rays);
                 add(p, &gathered.take(), out);
             }
         }
@@ -238,7 +268,7 @@ impl<'p, 'w> Points<'p, 'w> {
 pub fn packet(world: &World, p: &Packet<'_>, lights: &[Vpl<'_>], rays: &mut u64) -> [Rgb; LANES] {
     let mut gathered = Gathered::new(p);
     let mut asked: Vec<Asked<'_, '_>> = lights.iter().map(|light| Asked::new(light, 1.0)).collect();
-    gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, rays);
+    gather::<1>(world, std::slice::from_mut(&mut gathered), &mut asked, Unknown, rays);
     gathered.take()
 }
 
@@ -265,6 +295,7 @@ fn gather<const P: usize>(
     world: &World,
     packets: &mut [Gathered<'_, '_>],
     asked: &mut [Asked<'_, '_>],
+    mut sight: impl Sight,
     rays: &mut u64,
 ) {
     let (tracer, kernel) = (world.tracer(), world.tracer().kernel());
@@ -275,18 +306,19 @@ fn gather<const P: usize>(
             kernel.run(Terms { lights, packet: gathered.packet, terms });
         }
         for (k, asked) in run.iter_mut().enumerate() {
-            let (mut targets, mut lit) = ([&packets[0].packet.position; P], [0; P]);
-            for (i, gathered) in packets.iter().enumerate() {
-                targets[i] = &gathered.packet.position;
-                lit[i] = positive(&terms[i][k]) & gathered.together(asked.light);
-                *rays += u64::from(lit[i].count_ones());
+            let (mut targets, mut sure, mut open) = ([&packets[0].packet.position; P], [0; P], [0; P]);
+            for (i, Gathered { packet, .. }) in packets.iter().enumerate() {
+                targets[i] = &packet.position;
+                let lit = positive(&terms[i][k]) & packets[i].together(asked.light);
+                [sure[i], open[i]] = sight.of(i, packet, asked.light, lit);
+                *rays += u64::from(open[i].count_ones());
             }
             let mut blocked = [0; P];
-            if lit != blocked {
-                blocked = tracer.occluded_parts(asked.light.position, targets, lit, &mut asked.occluder);
+            if open != blocked {
+                blocked = tracer.occluded_parts(asked.light.position, targets, open, &mut asked.occluder);
             }
             for (i, gathered) in packets.iter_mut().enumerate() {
-                gathered.add(world, asked, &terms[i][k], lit[i] & !blocked[i], rays);
+                gathered.add(world, asked, &terms[i][k], sure[i] | open[i] & !blocked[i], rays);
             }
         }
     }

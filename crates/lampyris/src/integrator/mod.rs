@@ -10,6 +10,7 @@ mod caustic_path;
 mod compensation;
 mod cut_off;
 mod direct;
+mod direct_map;
 mod emission;
 mod final_gather;
 pub mod gather;
@@ -140,6 +141,7 @@ pub trait Integrator: Send + Sync {
 pub static ALL: &[&dyn Integrator] = &[
     &emission::Emission,
     &direct::Direct,
+    &direct_map::DirectMap,
     &vpl::VirtualLights,
     &cut_off::CutOff,
     &compensation::Compensation,
@@ -159,6 +161,7 @@ pub const FULL_SOLUTION: &[&str] = &["emission", "direct", "final-gather", "caus
 
 /// Parts that cover the same paths: one and any other of a row.
 const RIVALS: &[(&str, &[&str])] = &[
+    ("direct-map", &["direct"]),
     ("final-gather", &["vpl", "cut-off", "compensation"]),
     ("caustic-map", &["mirror", "caustic", CAUSTIC_ORACLE]),
     (CAUSTIC_ORACLE, &["caustic"]),
@@ -212,7 +215,11 @@ pub fn gather_photons(parts: &[&dyn Integrator]) -> bool {
 /// What these parts ask for of a coarse solution.
 pub fn wants(parts: &[&dyn Integrator]) -> Wants {
     let any = |of: fn(Wants) -> bool| parts.iter().any(|part| of(part.wants()));
-    Wants { reflected: any(|wants| wants.reflected), caustics: any(|wants| wants.caustics) }
+    Wants {
+        reflected: any(|wants| wants.reflected),
+        caustics: any(|wants| wants.caustics),
+        shadows: any(|wants| wants.shadows),
+    }
 }
 
 /// Of each pixel's eye passes, every `STRIDE`-th does the work of a costly integrator, for all of them.

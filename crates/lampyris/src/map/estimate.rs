@@ -90,12 +90,22 @@ impl Place {
 impl PhotonMap {
     /// Calls `take` with each photon within `radius` [m] on the side of a surface that the unit `normal` points to.
     pub fn on_surface(&self, x: Vec3, normal: Vec3, radius: f32, mut take: impl FnMut(&Photon)) {
-        let place = Place::new(x, normal);
-        self.within(x, radius, |_, photon, distance2| {
-            if place.holds(photon, distance2) {
-                take(photon);
-            }
+        self.on_surface_while(x, normal, radius, |photon| {
+            take(photon);
+            true
         });
+    }
+
+    /// [`Self::on_surface`] as long as `take` says.
+    pub(super) fn on_surface_while(
+        &self,
+        x: Vec3,
+        normal: Vec3,
+        radius: f32,
+        mut take: impl FnMut(&Photon) -> bool,
+    ) {
+        let place = Place::new(x, normal);
+        self.within_while(x, radius, |_, photon, distance2| !place.holds(photon, distance2) || take(photon));
     }
 }
 

@@ -91,11 +91,22 @@ impl PhotonMap {
     /// distance [m²].
     #[inline]
     pub fn within(&self, x: Vec3, radius: f32, mut take: impl FnMut(u32, &Photon, f32)) {
-        let limit = radius * radius;
-        self.visit(x, limit, |number, photon, distance2| {
+        self.within_while(x, radius, |number, photon, distance2| {
             take(number, photon, distance2);
-            limit
+            true
         });
+    }
+
+    /// [`Self::within`] as long as `take` says.
+    #[inline]
+    pub(super) fn within_while(&self, x: Vec3, radius: f32, mut take: impl FnMut(u32, &Photon, f32) -> bool) {
+        let limit = radius * radius;
+        // Nothing is nearer than at a negative distance.
+        self.visit(
+            x,
+            limit,
+            |number, photon, distance2| if take(number, photon, distance2) { limit } else { -1.0 },
+        );
     }
 
     /// Finds the photons that lie nearest to `x`, not farther than `radius` [m], among those that `wanted` accepts by place in

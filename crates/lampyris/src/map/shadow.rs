@@ -66,14 +66,14 @@ impl Shadows {
     /// points to.
     pub fn seen(&self, x: Vec3, normal: Vec3, radius: f32) -> Seen {
         let (mut light, mut shadow) = (0, 0);
-        self.map.on_surface(
-            x,
-            normal,
-            radius,
-            |photon| {
-                if photon.past().shadow { shadow += 1 } else { light += 1 }
-            },
-        );
+        self.map.on_surface_while(x, normal, radius, |photon| {
+            if photon.past().shadow {
+                shadow += 1
+            } else {
+                light += 1
+            }
+            light == 0 || shadow == 0
+        });
         match (light, shadow) {
             (ENOUGH.., 0) => Seen::Lit,
             (0, ENOUGH..) => Seen::Hidden,

@@ -89,7 +89,8 @@ impl<'a, 'w> Source<'a, 'w> {
             Origin::Light(emitter, tint) => {
                 let p = emitter.point([u, v]);
                 let (position, shine, intensity) = (p.position, p.shine, p.intensity * *tint);
-                point = Vpl { position, shine, intensity, bound: f32::INFINITY, gloss: None };
+                let (bound, emitter) = (f32::INFINITY, self.emitter);
+                point = Vpl { position, shine, intensity, bound, gloss: None, emitter };
                 (&point, None, 1.0)
             }
             Origin::Vertices(running, classes) => {

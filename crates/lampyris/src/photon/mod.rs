@@ -203,8 +203,8 @@ fn vertices<'a, 'w>(
     seed: u32,
 ) -> Vec<Source<'a, 'w>> {
     let mut running: Vec<Vec<(f64, &Vpl<'w>)>> = vec![Vec::new(); world.emitters().len()];
-    for (vpl, emitter) in walks.iter().flat_map(Walk::with_sources) {
-        let running = &mut running[emitter as usize];
+    for vpl in walks.iter().flat_map(Walk::within) {
+        let running = &mut running[vpl.emitter as usize];
         let flux = f64::from(Aim::new(world, vpl).flux());
         if flux > 0.0 {
             running.push((running.last().map_or(0.0, |(sum, _)| *sum) + flux, vpl));
