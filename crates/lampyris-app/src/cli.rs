@@ -321,6 +321,10 @@ pub(crate) struct EstimateArgs {
     /// Glossy surfaces one behind the other for `final-gather`: light is followed to the last, which photons light
     #[arg(long, value_name = "N", default_value_t = Gather::default().levels)]
     pub(crate) gather_levels: u32,
+    /// Interpolate irradiance for `final-gather` between points that are known, where surfaces reflect evenly, to this
+    /// accuracy: 0.1 is fine, 0.4 coarse [default: gather at every point]
+    #[arg(long, value_name = "A")]
+    pub(crate) gather_cache: Option<f32>,
     /// Longest edge of an element for `final-gather` [m]
     #[arg(long, value_name = "METRES", default_value_t = Gather::default().element)]
     pub(crate) element: f32,

@@ -91,6 +91,7 @@ fn settings(args: &EstimateArgs, otherwise: Settings) -> Result<Settings, Failur
             element: args.element,
             radius: args.gather_radius,
             levels: args.gather_levels,
+            cache: args.gather_cache,
         },
         clamp: args.clamp.unwrap_or(otherwise.clamp),
         absorption: args.absorption.as_deref().map_or(Ok(otherwise.absorption), absorption)?,

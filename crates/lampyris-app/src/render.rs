@@ -250,9 +250,10 @@ fn metadata(
     batches: u32,
 ) -> Vec<(String, String)> {
     let absorption = Absorption::ALL.iter().find(|(_, a)| *a == settings.absorption).map_or("", |(n, _)| n);
-    let Gather { rays, paths, source, element, radius, levels } = settings.gather;
+    let Gather { rays, paths, source, element, radius, levels, cache } = settings.gather;
+    let cached = cache.map_or(String::new(), |accuracy| format!(", cached to {accuracy}"));
     let gather = format!(
-        "{rays} rays, {paths} paths, by {}, elements of {element} m, radius {radius}, {levels} levels",
+        "{rays} rays, {paths} paths, by {}, elements of {element} m, radius {radius}, {levels} levels{cached}",
         source.name()
     );
     [

@@ -84,7 +84,7 @@ impl Settings {
         if self.photons == 0 || self.photons > 1 << 24 {
             return bad("the number of photons must be 1 to 16777216");
         }
-        let Gather { rays, paths, element, radius, levels, .. } = self.gather;
+        let Gather { rays, paths, element, radius, levels, cache, .. } = self.gather;
         if !(1..=1 << 16).contains(&rays) || !(1..=1 << 24).contains(&paths) {
             return bad("final gathering takes 1 to 65536 rays a point and 1 to 16777216 light paths");
         }
@@ -94,6 +94,11 @@ impl Settings {
         if !(radius > 0.0 && radius <= 1.0 && (1..=16).contains(&levels)) {
             return bad(
                 "final gathering asks for photons within 0 to 1 radii of the scene, and 1 to 16 levels",
+            );
+        }
+        if cache.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy <= 1.0)) {
+            return bad(
+                "the accuracy of interpolated irradiance must be above 0 and at most 1; 0.2 is a good one",
             );
         }
         if !(2..=64).contains(&self.replicates) {

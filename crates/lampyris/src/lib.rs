@@ -259,6 +259,7 @@ pub mod frame;
 pub mod geometry;
 pub mod import;
 pub mod integrator;
+pub mod irradiance;
 pub mod light;
 pub mod map;
 pub mod material;

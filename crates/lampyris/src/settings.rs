@@ -79,12 +79,15 @@ pub struct Gather {
     pub radius: f32,
     /// Glossy surfaces one behind the other: light is followed over the lobes of all but the last, which photons light.
     pub levels: u32,
+    /// a in (0, 1], how much of the light may change between points whose irradiance is known and those that it is
+    /// interpolated at, where surfaces reflect evenly [Ward et al. 1988]; `None` gathers at each point.
+    pub cache: Option<f32>,
 }
 
 impl Default for Gather {
     fn default() -> Gather {
         let source = Source::Elements;
-        Gather { rays: 16, paths: 1 << 15, source, element: 0.3, radius: 0.02, levels: 1 }
+        Gather { rays: 16, paths: 1 << 15, source, element: 0.3, radius: 0.02, levels: 1, cache: None }
     }
 }
 

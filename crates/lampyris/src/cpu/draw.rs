@@ -10,6 +10,7 @@ use crate::filter::{Filter, Glimpse};
 use crate::frame::{Auxiliary, Frame, Tiles};
 use crate::geometry::{lane, lanes};
 use crate::integrator::{self, Integrator, Lights, Pass};
+use crate::irradiance::Irradiance;
 use crate::particle::Walk;
 use crate::photon::Photons;
 use crate::sequence::{self, jittered_hammersley};
@@ -91,6 +92,7 @@ struct Shared<'w> {
     lights: Vec<Vec<Lights<'w>>>,
     photons: Option<Photons>,
     coarse: Option<Coarse<'w>>,
+    irradiance: Option<Irradiance>,
 }
 
 /// Pieces of work that a batch is cut into at least, however small the picture: a handful of meters keeps all threads
@@ -158,6 +160,8 @@ impl Film {
             .as_ref()
             .map(|grounds| Coarse::new(world, grounds, &self.settings, &self.plan, &groups, batch));
         statistics.rays.particle += coarse.as_ref().map_or(0, |coarse| coarse.rays);
+        let irradiance = self.irradiance(world, coarse.as_ref(), &groups, batch);
+        statistics.rays += irradiance.as_ref().map_or(Rays::default(), |irradiance| irradiance.rays);
         for walk in &walks {
             statistics.rays.particle += walk.rays;
             statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;
@@ -168,12 +172,25 @@ impl Film {
             frame.begin(&groups);
         }
         self.draw(
-            &Shared { world, batch, groups: &groups, lights, photons, coarse },
+            &Shared { world, batch, groups: &groups, lights, photons, coarse, irradiance },
             begun,
             frame,
             statistics,
             go_on,
         )
+    }
+
+    /// Irradiance at some of what the first eye pass sees, where a part gathers it and may interpolate.
+    fn irradiance(
+        &self,
+        world: &World,
+        coarse: Option<&Coarse<'_>>,
+        groups: &[usize],
+        batch: Batch,
+    ) -> Option<Irradiance> {
+        let coarse = coarse.filter(|_| integrator::wants(&self.integrators).reflected)?;
+        let light = (coarse, groups.len());
+        Irradiance::new(world, &self.eye, &self.settings, light, self.sampling(batch, 0))
     }
 
     /// Of each class, the light of some groups.
@@ -341,6 +358,7 @@ impl Film {
                     lights,
                     photons: shared.photons.as_ref(),
                     coarse: shared.coarse.as_ref(),
+                    irradiance: shared.irradiance.as_ref(),
                     sampling,
                 })
                 .collect();

@@ -101,8 +101,13 @@ pub struct Tile<'w> {
     pub rays: u64,
 }
 
-/// No rectangle yet.
-const NOWHERE: Rect = Rect { x: 0, y: 0, width: 0, height: 0 };
+impl Default for Tile<'_> {
+    /// No rectangle yet.
+    fn default() -> Self {
+        let rect = Rect { x: 0, y: 0, width: 0, height: 0 };
+        Tile { rect, packets: Vec::new(), stake: 1.0, rays: 0 }
+    }
+}
 
 /// Which sample of every pixel an eye pass takes.
 #[derive(Clone, Copy, Debug)]
@@ -142,29 +147,41 @@ impl Eye {
     /// pixels that are interleaved, row by row. The rectangle begins at a multiple of n × m. What `tiles` held is
     /// forgotten, its memory used again.
     pub fn lay_out<'w>(&self, world: &'w World, rect: Rect, [n, m]: [u32; 2], tiles: &mut Vec<Tile<'w>>) {
+        tiles.resize_with((n * m) as usize, Tile::default);
+        for (tile, class) in tiles.iter_mut().zip(0..) {
+            self.lay_out_class(world, rect, [n, m], class, tile);
+        }
+    }
+
+    /// [`Eye::lay_out`] for one of the n × m classes.
+    pub fn lay_out_class<'w>(
+        &self,
+        world: &'w World,
+        rect: Rect,
+        [n, m]: [u32; 2],
+        class: u32,
+        tile: &mut Tile<'w>,
+    ) {
         // Meters lie in one row: there a packet is a run of sixteen.
         let (bw, bh) = if matches!(self, Eye::Camera(_)) { (4, 4) } else { (LANES as u32, 1) };
         let blocks = |from: u32, to: u32, step: u32| (from..to).step_by(step as usize);
-        tiles.resize_with((n * m) as usize, || Tile { rect, packets: Vec::new(), stake: 1.0, rays: 0 });
-        for (tile, class) in tiles.iter_mut().zip(0..) {
-            (tile.rect, tile.rays) = (rect, 0);
-            let columns = blocks(class % n, rect.width, bw * n);
-            let corners =
-                blocks(class / n, rect.height, bh * m).flat_map(|y| columns.clone().map(move |x| (x, y)));
-            let mut count = 0;
-            for (left, top) in corners {
-                let pixels = std::array::from_fn(|lane| {
-                    let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
-                    if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
-                });
-                if count == tile.packets.len() {
-                    tile.packets.push(Packet::new(world));
-                }
-                tile.packets[count].place(rect, pixels);
-                count += 1;
+        (tile.rect, tile.stake, tile.rays) = (rect, 1.0, 0);
+        let columns = blocks(class % n, rect.width, bw * n);
+        let corners =
+            blocks(class / n, rect.height, bh * m).flat_map(|y| columns.clone().map(move |x| (x, y)));
+        let mut count = 0;
+        for (left, top) in corners {
+            let pixels = std::array::from_fn(|lane| {
+                let (x, y) = (left + lane as u32 % bw * n, top + lane as u32 / bw * m);
+                if x < rect.width && y < rect.height { y * rect.width + x } else { u32::MAX }
+            });
+            if count == tile.packets.len() {
+                tile.packets.push(Packet::new(world));
             }
-            tile.packets.truncate(count);
+            tile.packets[count].place(rect, pixels);
+            count += 1;
         }
+        tile.packets.truncate(count);
     }
 
     /// [`Eye::lay_out`] afresh.
@@ -185,8 +202,7 @@ impl Eye {
     /// once or not at all. Where a pixel has more `samples` at once, fewer second paths leave each. What `seconds` held is
     /// forgotten, its memory used again.
     pub fn split<'w>(&self, tiles: &[Tile<'w>], samples: u32, seconds: &mut Vec<Tile<'w>>) {
-        let none = || Tile { rect: NOWHERE, packets: Vec::new(), stake: 1.0, rays: 0 };
-        seconds.resize_with(tiles.len(), none);
+        seconds.resize_with(tiles.len(), Tile::default);
         for (tile, second) in tiles.iter().zip(seconds) {
             let (mut count, mut stakes, mut rays) = (0, 0.0, Rays::default());
             second.packets.iter_mut().for_each(Packet::clear);

@@ -9,10 +9,12 @@ use crate::coarse::{Coarse, Wants};
 use crate::color::Rgb;
 use crate::eye::{Numbers, Tile};
 use crate::geometry::Ray;
+use crate::irradiance::evenly;
 use crate::material::Class;
 use crate::sequence::ledger::eye as ledger;
 use crate::settings::Rays;
 use crate::world::Surface;
+use std::f32::consts::FRAC_1_PI;
 
 /// Paths L (S|D)* D D S* E, the first D of them by its mean.
 pub(super) struct FinalGather;
@@ -32,23 +34,20 @@ impl Integrator for FinalGather {
 
     fn add<'w>(&self, pass: &Pass<'w>, tile: &Tile<'w>, out: &mut [Vec<Rgb>], rays: &mut Rays) {
         let Some(coarse) = pass.coarse else { return };
-        // Where light counts for little, fewer rays look for it.
-        let count = (pass.settings.gather.rays as f32 * tile.stake).ceil().max(1.0) as u32;
         let mut found = vec![Rgb::BLACK; out.len()];
         for p in &tile.packets {
             for k in p.lanes() {
                 if let Some(x) = p.visible(k) {
                     found.fill(Rgb::BLACK);
-                    let numbers = p.numbers[k].branch(b'g'.into());
-                    for ray in 0..count {
-                        let index = numbers.index.wrapping_mul(count).wrapping_add(ray);
-                        let factor = Rgb::grey(1.0 / count as f32);
-                        look(
+                    if let Some((rest, share)) = interpolate(pass, &x.surface, &mut found) {
+                        // Where light counts for little, fewer rays look for it.
+                        let count = pass.settings.gather.rays as f32 * tile.stake * share;
+                        let numbers = p.numbers[k].branch(b'g'.into());
+                        gather(
                             pass,
                             coarse,
-                            &x.surface,
-                            Numbers { index, ..numbers },
-                            factor,
+                            &rest,
+                            (numbers, count.ceil().max(1.0) as u32),
                             &mut found,
                             rays,
                         );
@@ -59,6 +58,35 @@ impl Integrator for FinalGather {
                 }
             }
         }
+    }
+}
+
+/// Sets the radiance that `x` reflects evenly, group by group, where it is known from points around. Returns what is left for rays
+/// to find, with the share of them that it is worth.
+fn interpolate<'w>(pass: &Pass<'w>, x: &Surface<'w>, out: &mut [Rgb]) -> Option<(Surface<'w>, f32)> {
+    let Some((irradiance, (even, rest))) = pass.irradiance.zip(evenly(x)) else { return Some((*x, 1.0)) };
+    if !irradiance.at(&even, out) {
+        return Some((*x, 1.0));
+    }
+    let factor = even.finish.dull * FRAC_1_PI;
+    out.iter_mut().for_each(|out| *out *= factor);
+    let [of_all, of_rest] = [Some(*x), rest].map(|x| x.map_or(0.0, |x| x.albedo(Class::Dull).luminance()));
+    rest.filter(|_| of_rest > 0.0).map(|rest| (rest, of_rest / of_all))
+}
+
+/// Adds the radiance at `x` that so many rays find.
+fn gather<'w>(
+    pass: &Pass<'w>,
+    coarse: &Coarse<'_>,
+    x: &Surface<'w>,
+    (numbers, count): (Numbers, u32),
+    out: &mut [Rgb],
+    rays: &mut Rays,
+) {
+    let factor = Rgb::grey(1.0 / count as f32);
+    for ray in 0..count {
+        let index = numbers.index.wrapping_mul(count).wrapping_add(ray);
+        look(pass, coarse, x, Numbers { index, ..numbers }, factor, out, rays);
     }
 }
 

@@ -26,6 +26,7 @@ use crate::coarse::{Coarse, Wants};
 use crate::color::Rgb;
 use crate::error::{Error, Result};
 use crate::eye::{Eye, Numbers, Packet, Sampling, Tile};
+use crate::irradiance::Irradiance;
 use crate::particle::{Beacon, Plan, Reflected, Vpl};
 use crate::photon::Photons;
 use crate::settings::{Rays, Settings};
@@ -48,6 +49,8 @@ pub struct Pass<'w> {
     pub photons: Option<&'w Photons>,
     /// What surfaces reflect, for final gathering; `None` where no part reads it.
     pub coarse: Option<&'w Coarse<'w>>,
+    /// Irradiance by the coarse solution at some points of the batch; `None` where it is not interpolated.
+    pub irradiance: Option<&'w Irradiance>,
     /// Which sample of each pixel.
     pub sampling: Sampling,
 }
