@@ -31,6 +31,7 @@ struct Report {
     seconds: Seconds,
     rays: Rays,
     vpls: u64,
+    records: u64,
     batches: u32,
     /// Half the 95 % interval of the picture's mean, relative to it.
     error: f32,
@@ -113,7 +114,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
     let interrupted = estimate::run(&mut backend, &asked, settings.filter, start, &progress)?;
     let rendered_at = Instant::now();
 
-    let Statistics { rays, vpls, non_finite } = backend.statistics();
+    let Statistics { rays, vpls, records, non_finite } = backend.statistics();
     let groups = backend.world().map_or(Vec::new(), |world| group_names(world.scene()));
     let layers = backend.world().map_or(1, World::groups);
     let frame = backend.frame()?;
@@ -157,6 +158,7 @@ pub(crate) fn render(args: &RenderArgs) -> Result<ExitCode, Failure> {
             seconds,
             rays,
             vpls,
+            records,
             batches: frame.batches(),
             error,
             exposure: display.exposure.ev(&picture.radiance),

@@ -148,6 +148,8 @@ pub struct Statistics {
     pub rays: Rays,
     /// Light points and virtual point lights made.
     pub vpls: u64,
+    /// Points whose irradiance was found, to be interpolated ([`Gather::cache`]).
+    pub records: u64,
     /// Estimates that were not finite and were left out; anything but 0 is a bug.
     pub non_finite: u64,
 }

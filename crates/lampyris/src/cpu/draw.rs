@@ -161,7 +161,10 @@ impl Film {
             .map(|grounds| Coarse::new(world, grounds, &self.settings, &self.plan, &groups, batch));
         statistics.rays.particle += coarse.as_ref().map_or(0, |coarse| coarse.rays);
         let irradiance = self.irradiance(world, coarse.as_ref(), &groups, batch);
-        statistics.rays += irradiance.as_ref().map_or(Rays::default(), |irradiance| irradiance.rays);
+        if let Some(irradiance) = &irradiance {
+            statistics.rays += irradiance.rays;
+            statistics.records += irradiance.records() as u64;
+        }
         for walk in &walks {
             statistics.rays.particle += walk.rays;
             statistics.vpls += (walk.lights.len() + walk.vpls.len()) as u64;

@@ -5,7 +5,7 @@ use glam::Vec3;
 use std::f32::consts::SQRT_2;
 
 /// How far below a record's surface a point may lie and still be lit by what the record sees [reaches of the record].
-const BELOW: f32 = 0.02;
+const BELOW: f32 = 0.002;
 
 /// Light at its own place counts as if it were found so far from it [R]: a weight without end is none.
 const CLOSE: f32 = 1e-4;
