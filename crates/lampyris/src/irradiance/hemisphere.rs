@@ -112,8 +112,9 @@ impl<'c> Hemisphere<'c> {
         mean.min(OPEN / self.near.iter().copied().fold(0.0, f32::max))
     }
 
-    /// The light of one group.
-    pub(super) fn light(&self, group: usize) -> Light {
+    /// The light of one group. What is nearer than `least` [m] counts as if it were there: over such a way its edge would have
+    /// passed.
+    pub(super) fn light(&self, group: usize, least: f32) -> Light {
         let (rings, sectors) = (self.cells.tangents.len(), self.cells.sectors.len());
         let at = |j: usize, k: usize| {
             let cell = j * sectors + k;
@@ -121,7 +122,7 @@ impl<'c> Hemisphere<'c> {
         };
         // How the light changes from one cell to the next, by the nearer of the two.
         let edge = |(light, near): (Rgb, f32), (before, near_before): (Rgb, f32)| {
-            (light - before) * near.max(near_before)
+            (light - before) * near.max(near_before).min(1.0 / least)
         };
         let share = PI / (rings * sectors) as f32;
         let mut light = Light::default();
@@ -190,7 +191,7 @@ mod tests {
     fn light(rays: u32, at: Vec3, normal: Vec3) -> Light {
         let cells = Cells::of(rays);
         let jitter = |cell| [0, 1].map(|d| uniform(5, cell as u32, d));
-        Hemisphere::look(&cells, normal, 1, jitter, window(at)).light(0)
+        Hemisphere::look(&cells, normal, 1, jitter, window(at)).light(0, 0.0)
     }
 
     /// Places beneath and beside the window, and normals that see all of it.
@@ -241,7 +242,7 @@ mod tests {
                 0.0
             };
             let seen = Hemisphere::look(&cells, normal, 2, |_| [0.5; 2], sky);
-            let [dark, light] = [seen.light(0), seen.light(1)];
+            let [dark, light] = [0, 1].map(|group| seen.light(group, 0.0));
             assert!(dark.irradiance.is_black() && dark.turned.iter().all(|g| g.is_black()));
             let half = std::f32::consts::FRAC_PI_2;
             // A sector more or less lies on the border: π/N of the light, π²/2N of the gradient.
@@ -273,7 +274,7 @@ mod tests {
                 1.0 / distance(k - 1)
             },
         );
-        let light = seen.light(0);
+        let light = seen.light(0, 0.0);
         assert!((light.irradiance.r / (0.7 * PI) - 1.0).abs() < 1e-5);
         let largest =
             light.turned.iter().chain(&light.moved).map(|g| g.max_channel().abs()).fold(0.0, f32::max);

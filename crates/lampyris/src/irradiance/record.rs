@@ -1,6 +1,7 @@
 //! A point whose irradiance is known, and what it says of others [Ward et al. 1988].
 
 use super::hemisphere::{Hemisphere, Light};
+use crate::color::Rgb;
 use glam::Vec3;
 use std::f32::consts::SQRT_2;
 
@@ -35,10 +36,10 @@ impl Record {
     }
 
     /// What a hemisphere tells of each group. Gradients are kept so small that within the record's reach none takes away more
-    /// light than there is: the noise of the rays, and distances below the bound of R, would make them steeper.
+    /// light than there is: the noise of the rays would make them steeper.
     pub(super) fn lights(&self, accuracy: f32, seen: &Hemisphere<'_>, groups: usize) -> Vec<Light> {
         let limited = |group| {
-            let light = seen.light(group);
+            let light = seen.light(group, accuracy * self.distance);
             let most = light.irradiance.map(|e| e.abs() / accuracy);
             // |n_i × n| ≤ √2 √(1 − n · n_i).
             let [turned, moved] =
@@ -47,7 +48,7 @@ impl Record {
                         |channel: usize| Vec3::from_array(gradient.map(|g| g[channel])).length() * reach;
                     let scale =
                         |channel: usize| (most[channel] / length(channel).max(f32::MIN_POSITIVE)).min(1.0);
-                    let scale = crate::color::Rgb::new(scale(0), scale(1), scale(2));
+                    let scale = Rgb::new(scale(0), scale(1), scale(2));
                     gradient.map(|g| g * scale)
                 });
             Light { turned, moved, ..light }
