@@ -72,9 +72,8 @@ fn a_furnace_is_even() {
     }
 }
 
-/// The same coarse solutions, seen by all points or by few: what interpolation loses is less than 1 % of the whole, more where it
-/// is allowed to err more, and little of what it finds at a point is wrong. One batch has an error that plain gathering reaches with several times
-/// the rays.
+/// One coarse solution, seen by all points or by few: the plain gather reaches the error of the cache with more than ten times
+/// its rays (21 to 31 times when this was written).
 #[test]
 fn fewer_rays_find_the_same_light() {
     let room = room();
@@ -89,6 +88,8 @@ fn fewer_rays_find_the_same_light() {
             "to {accuracy}: mean {:.4}, error {:.4}, {:.2} rays, {saved:.1} times fewer",
             own[0], own[1], own[2]
         ));
+        assert!(own[1] < plain[1] && own[2] < plain[2] / 4.0, "{own:?} {plain:?}");
+        assert!(saved > 10.0, "{saved} to {accuracy}");
     }
 }
 
