@@ -280,7 +280,7 @@ mod tests {
         for height in [-0.01, 0.01] {
             let way = Vec3::new(0.1, 0.0, height);
             assert!(!count(way, Vec3::Z));
-            let bent = Place { position: way, normal: Vec3::Z, geometric: turned(15.0) };
+            let bent = Place { position: way, normal: Vec3::Z, geometric: turned(-15.0 * height.signum()) };
             assert!(records.records[0].weight(ACCURACY, &bent).is_some());
         }
         assert!(!count(Vec3::X * 3.9, Vec3::Z) && !count(Vec3::X * 40.0, Vec3::Z));
