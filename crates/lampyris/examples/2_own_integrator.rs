@@ -55,7 +55,8 @@ fn main() -> lampyris::Result<()> {
         let sampling = Sampling { offset: [0.5; 2], index, seed: 0 };
         eye.look(&sampling, &mut tile);
         let (world, settings, plan, eye) = (&world, &settings, &plan, &eye);
-        let pass = Pass { world, settings, plan, eye, lights: &[], photons: None, coarse: None, sampling };
+        let (photons, coarse, irradiance) = (None, None, None);
+        let pass = Pass { world, settings, plan, eye, lights: &[], photons, coarse, irradiance, sampling };
         Openness.add(&pass, &tile, &mut sum, &mut Rays::default());
     }
     let [sum] = sum;

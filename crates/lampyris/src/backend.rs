@@ -98,7 +98,7 @@ impl Settings {
         }
         if cache.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy <= 1.0)) {
             return bad(
-                "the accuracy of interpolated irradiance must be above 0 and at most 1; 0.2 is a good one",
+                "the accuracy of irradiance that final gathering interpolates must be above 0 and at most 1; try 0.2",
             );
         }
         if !(2..=64).contains(&self.replicates) {
