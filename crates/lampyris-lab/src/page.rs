@@ -1,7 +1,7 @@
 //! The page of a report: HTML that is well-formed XML too, with its own style and without a script.
 
 use crate::findings::{Comparison, Demand, Table, digits};
-use crate::report::{Record, Shown, ShownImage};
+use crate::record::{Record, Shown, ShownImage};
 
 const STYLE: &str = include_str!("page.css");
 

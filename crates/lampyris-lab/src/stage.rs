@@ -11,7 +11,7 @@ use lampyris::light::Shine;
 use lampyris::material::{Bsdf, Class, Material};
 use lampyris::output::Picture;
 use lampyris::particle::{Plan, Vpl, Walk};
-use lampyris::scene::{Camera, Scene, View};
+use lampyris::scene::{Camera, Scene, View, find_view};
 use lampyris::sequence::{Sequence, jittered_hammersley};
 use lampyris::world::{Surface, World};
 use rayon::prelude::*;
@@ -39,6 +39,16 @@ impl Look {
         let (eye, target) = (self.eye.into(), self.target.into());
         View::new(&Camera { name: String::new(), eye, target, up: self.up, fov_y: self.fov_y }, width, height)
     }
+}
+
+/// What a scene's own camera sees, or one for which a place is found.
+pub(crate) fn found_view(cpu: &Cpu, world: &World, [width, height]: [u32; 2]) -> View {
+    let closest = |ray: &lampyris::geometry::Ray| world.tracer().closest(ray);
+    let camera = match world.scene().cameras.first() {
+        Some(camera) => camera.clone(),
+        None => cpu.install(|| find_view(world.scene(), &closest, width as f32 / height as f32).camera),
+    };
+    View::new(&camera, width, height)
 }
 
 /// The oracle's picture: so many samples a pixel of the path tracer.

@@ -6,13 +6,12 @@ use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
 use crate::plot::{Axis, Plot, Series};
-use crate::stage::picture;
+use crate::stage::{found_view, picture};
 use crate::statistics::{median_relative, relative_square};
 use lampyris::backend::{Backend, Batch, Gather, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::output::Exposure;
-use lampyris::scene::{View, find_view};
 use lampyris::world::World;
 
 pub(crate) const GATHERING: Experiment = Experiment {
@@ -34,10 +33,7 @@ fn gathering(effort: &Effort<'_>) -> Result<Findings> {
     let scene = effort.scene("office.mgf")?;
     let mut cpu = Cpu::new(None)?;
     let world = cpu.install(|| World::new(scene));
-    let closest = |ray: &_| world.tracer().closest(ray);
-    let found_view = || find_view(world.scene(), &closest, size[0] as f32 / size[1] as f32).camera;
-    let camera = world.scene().view.clone().unwrap_or_else(|| cpu.install(found_view));
-    let view = View::new(&camera, size[0], size[1]);
+    let view = found_view(&cpu, &world, size);
     let eye = || Eye::Camera(view.clone());
     let of = |rays: u32, filter: bool| Settings {
         parts: vec!["final-gather".into()],

@@ -4,13 +4,13 @@ use crate::effort::Effort;
 use crate::error::Result;
 use crate::experiment::{Experiment, KELLER97};
 use crate::findings::{Comparison, Demand, Findings, Image, Table, digits};
-use crate::stage::{CORNELL, Look, of_1997, picture};
+use crate::stage::{CORNELL, Look, found_view, of_1997, picture};
 use glam::Vec3;
 use lampyris::backend::{Backend, Batch, Settings};
 use lampyris::cpu::Cpu;
 use lampyris::eye::Eye;
 use lampyris::output::Exposure;
-use lampyris::scene::{Scene, View, find_view};
+use lampyris::scene::Scene;
 use lampyris::world::World;
 use std::time::Instant;
 
@@ -178,13 +178,4 @@ fn figure_12(effort: &Effort<'_>) -> Result<Findings> {
     found.gap("The report gives no time for this picture, which it traced by rays.");
     found.gap("Its 248 lights are the panels of the original's lamps. The room that ships is drawn after the one of Wald and others, with 104.");
     Ok(found)
-}
-
-fn found_view(cpu: &Cpu, world: &World, [width, height]: [u32; 2]) -> View {
-    let closest = |ray: &lampyris::geometry::Ray| world.tracer().closest(ray);
-    let camera = match world.scene().cameras.first() {
-        Some(camera) => camera.clone(),
-        None => cpu.install(|| find_view(world.scene(), &closest, width as f32 / height as f32).camera),
-    };
-    View::new(&camera, width, height)
 }
