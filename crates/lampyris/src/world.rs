@@ -256,6 +256,12 @@ impl World {
         self.facets.all_flat(instance)
     }
 
+    /// Unit shading normal of an untextured hit on the front side, where `normal` is the geometric one.
+    #[inline]
+    pub fn shading_normal(&self, hit: &Hit, normal: Vec3) -> Vec3 {
+        self.facets.shading_normal(hit.instance, hit.triangle, normal, hit.u, hit.v)
+    }
+
     /// What textures and vertex colours make of a hit's finish and of its shading normal on the front side.
     #[inline(never)]
     fn painted<'w>(
@@ -287,6 +293,12 @@ impl World {
     /// The emitter of the side of a surface that is looked at.
     pub fn emitter_of(&self, surface: &Surface<'_>) -> Option<u32> {
         self.emitters.of(surface.instance, surface.material).and_then(|s| s[usize::from(!surface.front)])
+    }
+
+    /// The emitter of a side of a triangle.
+    pub fn emitter_at(&self, instance: u32, triangle: u32, front: bool) -> Option<u32> {
+        let material = self.facets.material(instance, triangle);
+        self.emitters.of(instance, material).and_then(|s| s[usize::from(!front)])
     }
 
     /// Density, in solid angle from `x`, with which next-event estimation finds the emitting side of a surface.

@@ -43,7 +43,7 @@ fn gathering(effort: &Effort<'_>) -> Result<Findings> {
         filter,
         ..Settings::default()
     };
-    cpu.begin_world(world, eye(), &of(effort.of(64, 256), false))?;
+    cpu.begin_world(world, eye(), &of(64, false))?;
     let batches = effort.of(16, 64);
     for index in 0..batches {
         effort.add(&mut cpu, Batch { index: index + 1 })?;

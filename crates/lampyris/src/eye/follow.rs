@@ -82,6 +82,12 @@ pub(super) fn first<'w>(
     (ended, fork.second > 0.0)
 }
 
+/// Tells of what glows along a ray from the eye before it meets something, but for what glows there itself.
+pub(super) fn passing(world: &World, ray: &Ray, hit: Option<Hit>, gleam: &mut impl FnMut(u32, Rgb)) {
+    let t_max = hit.map_or(f32::INFINITY, |hit| hit.t);
+    world.glows(ray.origin, ray.direction, t_max, |glow| gleam(glow.emitter, glow.radiance));
+}
+
 /// Whether the second path that leaves the first surface of an eye path, one of `samples`, is to be followed: then its weight.
 pub(super) fn second_weight(surface: &Surface<'_>, numbers: Numbers, samples: u32) -> Option<f32> {
     let fork = Fork::of(surface, numbers)?;

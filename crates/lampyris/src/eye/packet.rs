@@ -2,7 +2,7 @@
 //!
 //! What every light asks of a vertex lies in arrays; the whole surface is worked out again where somebody asks.
 
-use super::follow::{Ended, first, second, second_weight, second_weight_seen};
+use super::follow::{Ended, first, passing, second, second_weight, second_weight_seen};
 use super::{Eye, Meter, Numbers, Rect, Sampling};
 use crate::color::Rgb;
 use crate::geometry::{Hit, Hits16, LANES, Ray, lane, lanes};
@@ -223,36 +223,50 @@ impl<'w> Packet<'w> {
             true => behind_the_cut(world, view, &directions, inside),
         };
 
-        let (mut plain, mut winding) = (0u16, inside);
-        if !world.has_lamps() {
-            winding = if world.has_environment() { inside } else { hits.hit };
-            // Neighbours often meet the same triangle.
-            let (mut last, mut known) = ((u32::MAX, u32::MAX), None);
-            for k in lanes(hits.hit) {
-                if last != (hits.instance[k], hits.triangle[k]) {
-                    last = (hits.instance[k], hits.triangle[k]);
-                    known = plain_finish(world, last);
-                }
-                let Some(finish) = known else { continue };
-                let (sharp, dull) = finish.weights();
-                if dull > 0.0 {
-                    plain |= 1 << k;
-                    self.forks |= u16::from(sharp > 0.0) << k;
-                    self.note(k, finish);
-                }
+        let (mut plain, mut glowing) = (0u16, 0u16);
+        // Neighbours often meet the same triangle.
+        let (mut last, mut known) = ((u32::MAX, u32::MAX), None);
+        for k in lanes(hits.hit) {
+            if last != (hits.instance[k], hits.triangle[k]) {
+                last = (hits.instance[k], hits.triangle[k]);
+                known = plain_finish(world, last);
             }
-            winding &= !plain;
+            let Some(finish) = known else { continue };
+            let (sharp, dull) = finish.weights();
+            if dull > 0.0 || sharp <= 0.0 {
+                plain |= 1 << k;
+                glowing |= u16::from(!finish.emission.is_black()) << k;
+            }
+            if dull > 0.0 {
+                self.forks |= u16::from(sharp > 0.0) << k;
+                self.note(k, finish);
+            }
         }
         let points = world.points16(&directions, &hits, plain);
         (self.position, self.geometric, self.shading) = (points.position, points.normal, points.normal);
+        for k in lanes(plain) {
+            self.bend(k, hits.get(k), points.side[k]);
+        }
+        for k in lanes(glowing) {
+            self.glow(k, [hits.instance[k], hits.triangle[k]], points.side[k] > 0.0);
+        }
 
-        let mut last = [None; LANES];
-        for k in lanes(winding) {
+        let ray_of = |k: usize| {
             let direction = lane(&directions, k);
             let skipped = view.skipped(direction);
-            let ray = Ray::new(view.eye() + direction * skipped, direction);
             let hit = hits.get(k).map(|hit| Hit { t: hit.t - skipped, ..hit });
-            let gleams = &mut self.gleams;
+            (Ray::new(view.eye() + direction * skipped, direction), hit)
+        };
+        let winding = if world.has_environment() { inside } else { hits.hit } & !plain;
+        if world.has_lamps() {
+            for k in lanes(inside & !winding) {
+                let ((ray, hit), gleams) = (ray_of(k), &mut self.gleams);
+                passing(world, &ray, hit, &mut gleams_of(k, gleams));
+            }
+        }
+        let mut last = [None; LANES];
+        for k in lanes(winding) {
+            let ((ray, hit), gleams) = (ray_of(k), &mut self.gleams);
             let (ended, forks) = first(world, ray, hit, self.numbers[k], &mut gleams_of(k, gleams), rays);
             self.forks |= u16::from(forks) << k;
             last[k] = ended.map(|ended| self.end(k, ended));
@@ -263,6 +277,27 @@ impl<'w> Packet<'w> {
     /// Lanes whose first surface a second path leaves.
     pub(super) fn forks(&self) -> impl Iterator<Item = usize> + use<> {
         lanes(self.forks)
+    }
+
+    /// Sets the shading normal of a lane that has a plain hit, seen from the front (1) or from behind (−1).
+    #[inline]
+    fn bend(&mut self, k: usize, hit: Option<Hit>, side: f32) {
+        let Some(hit) = hit.filter(|hit| !self.world.all_flat(hit.instance)) else { return };
+        let normal = lane(&self.geometric, k) * side;
+        let bent = self.world.shading_normal(&hit, normal) * side;
+        for axis in 0..3 {
+            self.shading[axis][k] = bent[axis];
+        }
+    }
+
+    /// Keeps what a lane sees of a triangle that glows.
+    fn glow(&mut self, k: usize, [instance, triangle]: [u32; 2], front: bool) {
+        let finish = self.world.finish(instance, triangle);
+        if (front || finish.both_sides_glow)
+            && let Some(emitter) = self.world.emitter_at(instance, triangle, front)
+        {
+            gleams_of(k, &mut self.gleams)(emitter, finish.emission);
+        }
     }
 
     /// The scene.
@@ -377,8 +412,8 @@ fn gleams_of(lane: usize, gleams: &mut Vec<Gleam>) -> impl FnMut(u32, Rgb) {
 fn plain_finish(world: &World, (instance, triangle): (u32, u32)) -> Option<&Finish> {
     let finish = world.finish(instance, triangle);
     // A body of glass may have absorbed some of the light on its way here.
-    let odd = finish.painted || finish.bsdf.is_solid_interface() || !finish.emission.is_black();
-    (!odd && world.all_flat(instance)).then_some(finish)
+    let odd = finish.painted || finish.bsdf.is_solid_interface();
+    (!odd).then_some(finish)
 }
 /// What rays from the eye meet first behind the plane that a view is cut at, each lane by itself.
 fn behind_the_cut(world: &World, view: &View, directions: &[[f32; LANES]; 3], inside: u16) -> Hits16 {

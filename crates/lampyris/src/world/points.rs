@@ -14,6 +14,8 @@ pub struct Points {
     pub position: Vectors,
     /// Unit geometric normals on that side.
     pub normal: Vectors,
+    /// 1 where that is the front, else −1.
+    pub side: [f32; LANES],
 }
 
 impl World {
@@ -81,7 +83,7 @@ impl Wide for Place<'_> {
                 position[axis][k] = away(position[axis][k], normal[axis][k] * reach[k]);
             }
         }
-        Points { position, normal }
+        Points { position, normal, side }
     }
 }
 
@@ -133,6 +135,7 @@ mod tests {
                     let s = world.surface(ray.direction, &hit);
                     assert_eq!(s.spawn(s.wo), Vec3::from(points.position.map(|axis| axis[i])));
                     assert_eq!(s.normal, Vec3::from(points.normal.map(|axis| axis[i])));
+                    assert_eq!(s.front, points.side[i] == 1.0);
                     compared += 1;
                 }
             }
