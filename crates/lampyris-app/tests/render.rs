@@ -22,6 +22,7 @@ fn the_report_has_every_key_and_the_figures_make_sense() {
             "seconds",
             "rays",
             "vpls",
+            "records",
             "batches",
             "error",
             "exposure",

@@ -34,12 +34,14 @@ fn ways() -> Vec<Way> {
     let whole = || integrator::WHOLE.iter().map(|n| (*n).to_owned()).collect::<Vec<_>>();
     let without = |name: &str| whole().into_iter().filter(|n| n != name).collect::<Vec<_>>();
     let by_paths = || without("caustic").into_iter().chain(["caustic-path".to_owned()]).collect::<Vec<_>>();
+    let by_shadows = || without("direct").into_iter().chain(["direct-map".to_owned()]).collect::<Vec<_>>();
     let full_solution = || integrator::FULL_SOLUTION.iter().map(|n| (*n).to_owned()).collect();
     vec![
         ("all parts", whole(), Absorption::Fractional),
         ("all, by roulette", whole(), Absorption::Roulette),
         ("all, ⌊ρ̄ʲN⌋", whole(), Absorption::Paper),
         ("caustics by paths", by_paths(), Absorption::Fractional),
+        ("direct light by shadow photons", by_shadows(), Absorption::Fractional),
         ("not compensated", without("compensation"), Absorption::Fractional),
         ("full solution of 1996", full_solution(), Absorption::Fractional),
         ("path", vec!["path".into()], Absorption::Fractional),
@@ -132,7 +134,7 @@ fn convergence(effort: &Effort<'_>) -> Result<Findings> {
         found.show(table);
         found.show(images);
     }
-    found.gap("⌊ρ̄ʲN⌋, what is not compensated and the full solution of 1996 are biased: their curves level off. What noise the oracle has itself is taken out: each error is the product of the differences from two of its pictures.");
+    found.gap("⌊ρ̄ʲN⌋, what is not compensated, shadow photons and the full solution of 1996 are biased: their curves level off. What noise the oracle has itself is taken out: each error is the product of the differences from two of its pictures.");
     Ok(found)
 }
 
