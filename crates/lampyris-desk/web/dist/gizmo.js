@@ -1,60 +1,60 @@
 // src/later/actions.ts
 import {
-  adding as Bi,
-  asked as Ui,
-  ask as _i,
-  back as Xi,
+  adding as Ui,
+  asked as _i,
+  ask as Xi,
+  back as Yi,
   candles as to,
   chosenLamps as he,
-  clearSolo as Yi,
+  clearSolo as zi,
   command as $n,
-  compareHeld as zi,
-  copyText as ji,
-  DEFAULT_FALSE as Zi,
-  deselect as Qi,
+  compareHeld as ji,
+  copyText as Zi,
+  DEFAULT_FALSE as Qi,
+  deselect as Ji,
   each as Tn,
   edit as Pn,
   exposeBy as no,
-  falseColor as Ji,
+  falseColor as es,
   fine as ao,
-  forth as es,
-  frameSelection as ts,
-  go as ns,
-  goHome as as,
-  goInside as os,
-  goPreset as ls,
-  hands as rs,
-  here as is,
-  highlight as ss,
+  forth as ts,
+  frameSelection as ns,
+  go as as,
+  goHome as os,
+  goInside as ls,
+  goPreset as rs,
+  hands as is,
+  here as ss,
+  highlight as us,
   history as oo,
   lampMarks as lo,
   lamps as At,
   listing as ro,
   lookOnly as io,
-  looks as us,
-  maintenance as cs,
+  looks as cs,
+  maintenance as ps,
   panels as so,
-  PRESETS as ps,
-  register as ms,
+  PRESETS as ms,
+  register as ds,
   say as at,
-  scene as ds,
+  scene as hs,
   selection as fo,
-  send as hs,
+  send as fs,
   sheet as tt,
   show as It,
-  soloSelection as fs,
+  soloSelection as gs,
   spot as nt,
   startTool as Ce,
   stepSelection as uo,
-  storeLook as gs,
-  storeView as bs,
+  storeLook as bs,
+  storeView as vs,
   theme as co,
   things as po,
   titleOf as go,
-  toggleFalse as vs,
-  toggleWipe as ys,
+  toggleFalse as ys,
+  toggleWipe as ks,
   travel as mo,
-  views as ks,
+  views as ws,
   walking as Ln,
   whyNot as X
 } from "./desk.js";
@@ -195,7 +195,7 @@ function rr() {
 }
 
 // src/later/grouping.ts
-import { chosenLamps as et, groups as St, lamps as Ar, selection as Ct, step as Ea, titleOf as Ia } from "./desk.js";
+import { chosenLamps as et, groups as St, lamps as qr, selection as Ct, step as Va, titleOf as Ia } from "./desk.js";
 
 // src/later/tools.ts
 import {
@@ -208,7 +208,7 @@ import {
   effect as xr,
   free as La,
   grids as Sa,
-  lamps as Ee,
+  lamps as Ve,
   meters as Ca,
   normal as Ta,
   onTool as Mr,
@@ -226,7 +226,7 @@ import {
 } from "./desk.js";
 
 // src/later/area.ts
-import { ask as sr, camera as ur, cross as cr, dot as ke, effect as ya, add as bn, normal as pr, scale as Ve, scene as ka, selection as mr, signal as dr, sub as hr, tool as fr } from "./desk.js";
+import { ask as sr, camera as ur, cross as cr, dot as ke, effect as ya, add as bn, normal as pr, scale as Ee, scene as ka, selection as mr, signal as dr, sub as hr, tool as fr } from "./desk.js";
 var gr = 0.5, br = 0.3;
 function vr(e) {
   return Math.min(10, 0.2 * 5 ** Math.log10(Math.max(e, 0.01)));
@@ -239,8 +239,8 @@ function yn(e) {
 function wa(e, t, n, a, o) {
   let l = Math.abs(n[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0], r = pr(cr(n, l)), s = hr(t.point, e.point), [c, i] = [ke(s, l), ke(s, r)];
   if (Math.abs(c) < 0.05 || Math.abs(i) < 0.05) return null;
-  let p = (ee) => ke(ee, n) - a, u = [e, t].every((ee) => ke(ee.normal, n) > 0.7 && p(ee.point) > br), b = u ? 0 : gr, d = u ? 0 : o - p(e.point), m = bn(bn(e.point, Ve(n, d)), bn(Ve(l, Math.min(c, 0)), Ve(r, Math.min(i, 0)))), f = [Math.abs(c), Math.abs(i)], [S, H] = yn(f.map((ee) => gt(ee, b)));
-  return { corner: m, u: Ve(l, f[0]), v: Ve(r, f[1]), normal: n, columns: S, rows: H, border: b };
+  let p = (ee) => ke(ee, n) - a, u = [e, t].every((ee) => ke(ee.normal, n) > 0.7 && p(ee.point) > br), b = u ? 0 : gr, d = u ? 0 : o - p(e.point), m = bn(bn(e.point, Ee(n, d)), bn(Ee(l, Math.min(c, 0)), Ee(r, Math.min(i, 0)))), f = [Math.abs(c), Math.abs(i)], [S, H] = yn(f.map((ee) => gt(ee, b)));
+  return { corner: m, u: Ee(l, f[0]), v: Ee(r, f[1]), normal: n, columns: S, rows: H, border: b };
 }
 var xa = dr(null);
 function bt() {
@@ -254,17 +254,17 @@ ya(() => {
 });
 ya(() => {
   let e = ka.value?.up;
-  !e || !vn || fr.value !== "grid" && mr.value?.kind !== "grid" || sr("ray", { origin: vn, direction: Ve(e, -1) }, (t) => {
+  !e || !vn || fr.value !== "grid" && mr.value?.kind !== "grid" || sr("ray", { origin: vn, direction: Ee(e, -1) }, (t) => {
     t.hit && (xa.value = ke(t.point, e));
   });
 });
 
 // src/later/tools.ts
-var Ye = null, Tr = { lux: 500, uniformity: 0.6 };
+var Ye = null, Tr = 3e4, Pr = { lux: 500, uniformity: 0.6 };
 xr(() => {
   we.value !== "grid" && (Ye = null);
 });
-function Pr(e) {
+function Er(e) {
   if (!e) return wt("There is nothing at that point.", "warn");
   switch (we.peek()) {
     case "aim":
@@ -281,18 +281,18 @@ function Pr(e) {
         Ye = e;
         return;
       }
-      Er(Ye, e), Ye = null, we.value = null;
+      Ir(Ye, e), Ye = null, we.value = null;
       break;
     case "add":
-      Ir(yr.peek(), e), we.value = null;
+      Ar(yr.peek(), e), we.value = null;
       break;
   }
 }
-Mr(Pr);
+Mr(Er);
 function ze(e, t) {
   let n = {};
   for (let a of e) {
-    let o = Ee.get(a)?.place;
+    let o = Ve.get(a)?.place;
     !o?.position || !o.direction || (n[a] = { place: { aim: t, direction: Ta(wn(t, o.position)) } });
   }
   if (!Object.keys(n).length) return wt("What is selected shines into all directions: it cannot be aimed.", "warn");
@@ -303,30 +303,30 @@ function je(e, t) {
     let l = o.filter((r) => !n.has(r));
     l.length && (Cr(t, l[l.length - 1]), queueMicrotask(() => a()));
   });
-  setTimeout(() => a(), 3e3);
+  setTimeout(() => a(), Tr);
 }
 function Vr(e, t) {
   let n = Je(e), a = n.get(e[e.length - 1]);
   if (!a) return wt("What is selected has no place.", "warn");
-  let o = (Ee.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
+  let o = (Ve.get(e[e.length - 1])?.place?.radius ?? 0) + 0.02;
   kt(`Put ${xt(e)} on a surface`, Qe(e, wn(yt(t.point, vt(t.normal, o)), a), n));
 }
 function Ze(e, t) {
   let n = La(Ca);
   je(Ca, "meter"), kt("Lay a meter", { meters: { [n]: { name: `Meter ${n + 1}`, kind: "surface", point: e, normal: t } } });
 }
-function Er(e, t) {
+function Ir(e, t) {
   let n = wa(e, t, Pa.peek(), $r(bt), Lr.peek());
   if (!n) return wt("An area needs two corners that lie apart.", "warn");
   let a = La(Sa);
-  je(Sa, "grid"), kt("Lay a grid", { grids: { [a]: { name: `Area ${a + 1}`, ...n, target: Tr } } });
+  je(Sa, "grid"), kt("Lay a grid", { grids: { [a]: { name: `Area ${a + 1}`, ...n, target: Pr } } });
 }
 var $a = { point: "Point", spot: "Spot", disc: "Area", sphere: "Sphere" };
-function Ir(e, t) {
+function Ar(e, t) {
   let n = Pa.peek(), a = wr(t.normal, n), o = a > 0.7 ? yt(t.point, vt(n, 1.2)) : yt(t.point, vt(t.normal, 0.15)), l = a > 0.7 || a < -0.7 ? vt(n, -1) : t.normal, r = { position: o };
   e !== "point" && e !== "sphere" && (r.direction = l), e === "spot" && Object.assign(r, { inner: 24, outer: 36, ...a > 0.7 ? { aim: t.point } : {} }), e === "disc" && (r.radius = 0.15), e === "sphere" && (r.radius = 0.08);
-  let s = Ee.all().filter(([, c]) => c.own).length;
-  je(Ee, "lamp"), kn(`Add ${$a[e]?.toLowerCase() ?? e} lamp`, {
+  let s = Ve.all().filter(([, c]) => c.own).length;
+  je(Ve, "lamp"), kn(`Add ${$a[e]?.toLowerCase() ?? e} lamp`, {
     do: "add",
     lamp: { name: `${$a[e] ?? e} ${s + 1}`, kind: e, flux: 800, place: r }
   });
@@ -334,13 +334,13 @@ function Ir(e, t) {
 function Mt(e, t, n) {
   !e.length || t < 1 || kn(`Copy ${xt(e)}`, { do: "copy", lamps: e, count: t, step: n });
 }
-function Va(e) {
+function Ea(e) {
   e.length && kn(`Remove ${xt(e)}`, { do: "remove", lamps: e });
 }
 function Qe(e, t, n) {
   let a = {};
   for (let o of e) {
-    let l = Ee.get(o)?.place, r = n.get(o);
+    let l = Ve.get(o)?.place, r = n.get(o);
     if (!r) continue;
     let s = yt(r, t), c = l?.aim && kr(l.aim, s) > 1e-6 ? { direction: Ta(wn(l.aim, s)) } : {};
     a[o] = { place: { position: s, ...c } };
@@ -350,7 +350,7 @@ function Qe(e, t, n) {
 function Je(e) {
   let t = /* @__PURE__ */ new Map();
   for (let n of e) {
-    let a = Ee.get(n), o = a && Sr(a);
+    let a = Ve.get(n), o = a && Sr(a);
     o && t.set(n, o);
   }
   return t;
@@ -358,7 +358,7 @@ function Je(e) {
 
 // src/later/grouping.ts
 var Aa = (e) => {
-  let t = Ar.get(e)?.group ?? null;
+  let t = qr.get(e)?.group ?? null;
   return t !== null && (St.get(t)?.lamps.length ?? 0) > 1 ? t : null;
 };
 function $t() {
@@ -367,77 +367,77 @@ function $t() {
 function qa() {
   let e = new Set(St.all().map(([, n]) => n.name)), t = 1;
   for (; e.has(`Group ${t}`); ) t++;
-  je(St, "group"), Ea(`Group ${Ia(et.peek())}`, { do: "group", lamps: et.peek(), name: `Group ${t}` });
+  je(St, "group"), Va(`Group ${Ia(et.peek())}`, { do: "group", lamps: et.peek(), name: `Group ${t}` });
 }
 function Lt() {
   return et.value.some((e) => Aa(e) !== null) ? null : "What is selected is in no group.";
 }
 function Ra() {
   let e = Ct.peek(), t = et.peek().filter((a) => Aa(a) !== null), n = e?.kind === "group" && e.ids.length === 1 ? St.get(e.ids[0]) : void 0;
-  Ea(n ? `Dissolve ${n.name}` : `Take ${Ia(t)} out`, { do: "group", lamps: t }), Ct.value = { kind: "lamp", ids: t };
+  Va(n ? `Dissolve ${n.name}` : `Take ${Ia(t)} out`, { do: "group", lamps: t }), Ct.value = { kind: "lamp", ids: t };
 }
 
 // src/later/most.ts
-import { signal as qr } from "./desk.js";
-var Ie = qr(1);
+import { signal as Rr } from "./desk.js";
+var Ie = Rr(1);
 
 // src/later/there.ts
-import { add as Rr, dot as Fa, go as Fr, here as Hr, moved as Nr, scale as Dr, spot as Gr, sub as Or, up as Wr, walking as Kr, EYE_HEIGHT as Br } from "./desk.js";
-var Ur = 1.2;
-function _r(e, t, n) {
-  let a = Or(n.point, e.eye);
-  return e.height || Fa(n.normal, t) < 0.9 || Fa(a, t) > -Ur ? null : Nr(e, Rr(a, Dr(t, Br)));
+import { add as Fr, dot as Fa, go as Hr, here as Nr, moved as Dr, scale as Gr, spot as Or, sub as Wr, up as Kr, walking as Br, EYE_HEIGHT as Ur } from "./desk.js";
+var _r = 1.2;
+function Xr(e, t, n) {
+  let a = Wr(n.point, e.eye);
+  return e.height || Fa(n.normal, t) < 0.9 || Fa(a, t) > -_r ? null : Dr(e, Fr(a, Gr(t, Ur)));
 }
 function Ha() {
-  let [e, t] = [Hr(), Gr.value];
-  return e && t && Kr.value === "walk" ? _r(e, Wr.value, t) : null;
+  let [e, t] = [Nr(), Or.value];
+  return e && t && Br.value === "walk" ? Xr(e, Kr.value, t) : null;
 }
 var Na = () => Ha() ? null : "Point at the floor first, walking.";
 function Da() {
   let e = Ha();
-  e && Fr(e, "there");
+  e && Hr(e, "there");
 }
 
 // src/later/typed.tsx
-import { effect as $i, handles as Li, keysFirst as Ti, role as Pi, say as Vi, scale as Ei, selection as Ii, signal as Ai, tool as qi, untracked as Ri } from "./desk.js";
+import { effect as Li, handles as Ti, keysFirst as Pi, role as Ei, say as Vi, scale as Ii, selection as Ai, signal as qi, tool as Ri, untracked as Fi } from "./desk.js";
 
 // src/later/handles.tsx
 import {
   add as Ua,
-  chosenLamps as ti,
+  chosenLamps as ni,
   computed as Sn,
-  editor as ni,
-  effect as ai,
-  fitted as oi,
-  Gesture as li,
-  handles as ri,
+  editor as ai,
+  effect as oi,
+  fitted as li,
+  Gesture as ri,
+  handles as ii,
   lamps as Pt,
-  lookOnly as ii,
-  middle as si,
-  nameOf as ui,
-  normal as ci,
-  pinhole as pi,
+  lookOnly as si,
+  middle as ui,
+  nameOf as ci,
+  normal as pi,
+  pinhole as mi,
   positionOf as Xa,
-  role as mi,
-  selection as di,
-  shown as hi,
-  sub as fi,
-  things as Vt,
-  titleOf as gi,
-  tool as bi,
+  role as di,
+  selection as hi,
+  shown as fi,
+  sub as gi,
+  things as Et,
+  titleOf as bi,
+  tool as vi,
   turn as _a,
-  useEffect as vi,
-  useRef as yi,
-  viewSize as ki
+  useEffect as yi,
+  useRef as ki,
+  viewSize as wi
 } from "./desk.js";
 
 // src/later/gizmo.ts
-import { project as Ga, ray as Xr } from "./desk.js";
-import { across as Yr, add as re, cross as zr, distance as jr, dot as de, length as Zr, normal as xn, scale as ie, sub as Ae } from "./desk.js";
-var Qr = "http://www.w3.org/2000/svg", Mn = 84, xe = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Tt = ["x", "y", "z"], Oa = 0.1, Jr = 5 * Math.PI / 180, Wa = 48;
+import { project as Ga, ray as Yr } from "./desk.js";
+import { across as zr, add as re, cross as jr, distance as Zr, dot as de, length as Qr, normal as xn, scale as ie, sub as Ae } from "./desk.js";
+var Jr = "http://www.w3.org/2000/svg", Mn = 84, xe = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Tt = ["x", "y", "z"], Oa = 0.1, ei = 5 * Math.PI / 180, Wa = 48;
 function Ba(e, t) {
   let n = (h, v, k) => {
-    let w = document.createElementNS(Qr, h);
+    let w = document.createElementNS(Jr, h);
     return w.setAttribute("class", k), v.append(w), w;
   }, a = (h, v, k) => {
     let w = n("g", e, `handle ${h} ${Tt[v] ?? ""}`);
@@ -485,7 +485,7 @@ function Ba(e, t) {
   let H = t.effect(() => {
     let h = t.target.value, v = t.view.value;
     e.classList.toggle("empty", !h || !v), h && v && S(h, v);
-  }), ee = (h, v, k) => Xr(h.hole, (v.clientX - k.left - h.fit.x) / h.fit.scale, (v.clientY - k.top - h.fit.y) / h.fit.scale);
+  }), ee = (h, v, k) => Yr(h.hole, (v.clientX - k.left - h.fit.x) / h.fit.scale, (v.clientY - k.top - h.fit.y) / h.fit.scale);
   function ve(h, v, k) {
     h.addEventListener("pointerdown", (w) => {
       if (w.button !== 0) return;
@@ -512,7 +512,7 @@ function Ba(e, t) {
     ve(s[v].group, "move", () => {
       let k = t.target.peek().position, w = null;
       return (I, L, z) => {
-        let q = ei(k, h, I);
+        let q = ti(k, h, I);
         w ??= q;
         let O = ie(h, dn(q - w, Oa, L));
         return z.move(O), hn(O);
@@ -520,10 +520,10 @@ function Ba(e, t) {
     }), ve(r[v].group, "move", () => ma(h)), ve(l[v].group, "turn", () => {
       let k = t.target.peek(), w = { at: null };
       return (I, L, z) => {
-        let q = Ka(k.position, h, I), O = q && xn(Ae(q, k.position), Yr(h));
+        let q = Ka(k.position, h, I), O = q && xn(Ae(q, k.position), zr(h));
         if (!O) return "";
         w.at ??= O;
-        let _ = Math.atan2(de(h, zr(w.at, O)), de(w.at, O)), R = dn(_, Jr, L);
+        let _ = Math.atan2(de(h, jr(w.at, O)), de(w.at, O)), R = dn(_, ei, L);
         return z.rotate(h, R), `${(R * 180 / Math.PI).toFixed(1)}°`;
       };
     });
@@ -531,7 +531,7 @@ function Ba(e, t) {
     let v = t.target.peek(), k = v.aim ?? re(v.position, ie(v.direction, 3 * b(h, v.position))), w = da(k, h.hole.forward);
     return (I, L, z) => {
       let q = w(I, L), O = re(k, q);
-      return jr(O, v.position) > 1e-3 && z.turn(xn(Ae(O, v.position)), O), hn(O);
+      return Zr(O, v.position) > 1e-3 && z.turn(xn(Ae(O, v.position)), O), hn(O);
     };
   });
   function ma(h) {
@@ -550,20 +550,20 @@ function Ba(e, t) {
   }
   return { stop: H };
 }
-function ei(e, t, n) {
+function ti(e, t, n) {
   let a = Ae(e, n.origin), o = de(t, n.direction), l = 1 - o * o;
   return l < 1e-6 ? 0 : (o * de(n.direction, a) - de(t, a)) / l;
 }
 function Ka(e, t, n) {
   let a = de(t, n.direction);
-  if (Math.abs(a) < 1e-4 * Zr(t)) return null;
+  if (Math.abs(a) < 1e-4 * Qr(t)) return null;
   let o = de(Ae(e, n.origin), t) / a;
   return o < 0 || o > 1e6 ? null : re(n.origin, ie(n.direction, o));
 }
 
 // src/later/handles.tsx
-import { jsx as Ci } from "./desk.js";
-function wi([e, t, n, a], [o, l, r, s]) {
+import { jsx as $i } from "./desk.js";
+function xi([e, t, n, a], [o, l, r, s]) {
   return [
     a * o + e * s + t * r - n * l,
     a * l - e * r + t * s + n * o,
@@ -571,18 +571,18 @@ function wi([e, t, n, a], [o, l, r, s]) {
     a * s - e * o - t * l - n * r
   ];
 }
-var xi = () => !ii.value && mi.value !== "watch" && ni.value.you && bi.value !== "aim", Ya = Sn(() => {
-  let e = di.value;
-  if (!e || !xi()) return null;
+var Mi = () => !si.value && di.value !== "watch" && ai.value.you && vi.value !== "aim", Ya = Sn(() => {
+  let e = hi.value;
+  if (!e || !Mi()) return null;
   if (e.kind === "thing") {
-    let n = e.ids.filter((a) => Vt.get(a) && !Vt.get(a)?.locked);
+    let n = e.ids.filter((a) => Et.get(a) && !Et.get(a)?.locked);
     return n.length ? { kind: "things", ids: n } : null;
   }
-  let t = ti.value.filter((n) => Xa(Pt.get(n)));
+  let t = ni.value.filter((n) => Xa(Pt.get(n)));
   return t.length ? { kind: "lamps", ids: t } : null;
 }), za = (e) => {
-  let t = Vt.get(e);
-  return t?.place?.position ?? (t?.box ? si(t.box) : null);
+  let t = Et.get(e);
+  return t?.place?.position ?? (t?.box ? ui(t.box) : null);
 }, ja = Sn(() => {
   let e = Ya.value;
   if (!e) return null;
@@ -594,19 +594,19 @@ var xi = () => !ii.value && mi.value !== "watch" && ni.value.you && bi.value !==
     direction: a?.direction ?? null,
     aim: a?.aim ?? null,
     turns: e.kind === "things" || !!a?.direction || !!a?.rotation,
-    mode: ri.value
+    mode: ii.value
   };
-}), Mi = Sn(() => {
-  let e = hi.value;
-  if (ki.value, !e) return null;
+}), Si = Sn(() => {
+  let e = fi.value;
+  if (wi.value, !e) return null;
   let { width: t, height: n } = e.head;
-  return { hole: pi(e.camera, t, n), fit: oi(t, n) };
+  return { hole: mi(e.camera, t, n), fit: li(t, n) };
 }), Za = {
-  effect: ai,
+  effect: oi,
   target: ja,
-  view: Mi,
+  view: Si,
   hold(e) {
-    let t = Ya.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? gi(n) : n.length === 1 ? ui("thing", n[0]) : `${n.length} things`, l = new li(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? Je(n) : new Map(n.map((i) => [i, za(i)])), s = new Map(n.map((i) => [i, (a === "lamps" ? Pt : Vt).get(i)?.place])), c = (i) => {
+    let t = Ya.peek(), n = t?.ids ?? [], a = t?.kind ?? "lamps", o = a === "lamps" ? bi(n) : n.length === 1 ? ci("thing", n[0]) : `${n.length} things`, l = new ri(`${e === "move" ? "Move" : e === "aim" ? "Aim" : "Turn"} ${o}`), r = a === "lamps" ? Je(n) : new Map(n.map((i) => [i, za(i)])), s = new Map(n.map((i) => [i, (a === "lamps" ? Pt : Et).get(i)?.place])), c = (i) => {
       let p = n.map((u) => [u, i(u)]).filter(([, u]) => u);
       l.set({ [a]: Object.fromEntries(p.map(([u, b]) => [u, { place: b }])) });
     };
@@ -616,26 +616,26 @@ var xi = () => !ii.value && mi.value !== "watch" && ni.value.you && bi.value !==
       rotate: (i, p) => c((u) => {
         let b = s.get(u);
         if (b?.direction) {
-          let f = ci(_a(b.direction, i, p)), S = b.aim && b.position ? _a(fi(b.aim, b.position), i, p) : null;
+          let f = pi(_a(b.direction, i, p)), S = b.aim && b.position ? _a(gi(b.aim, b.position), i, p) : null;
           return { direction: f, ...S ? { aim: Ua(b.position, S) } : {} };
         }
         let d = Math.sin(p / 2), m = [i[0] * d, i[1] * d, i[2] * d, Math.cos(p / 2)];
-        return { rotation: wi(m, b?.rotation ?? [0, 0, 0, 1]) };
+        return { rotation: xi(m, b?.rotation ?? [0, 0, 0, 1]) };
       }),
       end: () => l.end(),
       cancel: () => l.cancel()
     };
   }
 }, Qa = (e) => ja.peek() ? Za.hold(e) : null;
-function Si() {
-  let e = yi(null);
-  return vi(() => Ba(e.current, Za).stop, []), Ci("svg", { id: "handles", ref: e, "aria-hidden": "true" });
+function Ci() {
+  let e = ki(null);
+  return yi(() => Ba(e.current, Za).stop, []), $i("svg", { id: "handles", ref: e, "aria-hidden": "true" });
 }
 
 // src/later/typed.tsx
-import { jsx as Ki, jsxs as eo } from "./desk.js";
-var Fi = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Hi = { Minus: "-", NumpadSubtract: "-", Period: ".", Comma: ".", NumpadDecimal: "." }, Ja = { Enter: "keep", Escape: "leave", Backspace: "back" };
-function Ni({ key: e, code: t }) {
+import { jsx as Bi, jsxs as eo } from "./desk.js";
+var Hi = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], Ni = { Minus: "-", NumpadSubtract: "-", Period: ".", Comma: ".", NumpadDecimal: "." }, Ja = { Enter: "keep", Escape: "leave", Backspace: "back" };
+function Di({ key: e, code: t }) {
   if (Ja[e]) return { does: Ja[e] };
   let n = e.length === 1 ? "xyz".indexOf(e.toLowerCase()) : -1;
   if (n >= 0) return { axis: n };
@@ -645,47 +645,47 @@ function Ni({ key: e, code: t }) {
   if (/^[a-z]$/i.test(e)) return {};
   let a = ["KeyX", "KeyY", "KeyZ"].indexOf(t);
   if (a >= 0) return { axis: a };
-  let o = /^(?:Digit|Numpad)(\d)$/.exec(t)?.[1] ?? Hi[t];
+  let o = /^(?:Digit|Numpad)(\d)$/.exec(t)?.[1] ?? Ni[t];
   return o ? { sign: o } : {};
 }
-function Di(e, t) {
+function Gi(e, t) {
   return t === "-" ? e.startsWith("-") ? e.slice(1) : `-${e}` : t === "." && e.includes(".") ? e : e.length < 9 ? e + t : e;
 }
-var Gi = (e) => Number(e) || 0, qe = Ai(null), Se = null;
+var Oi = (e) => Number(e) || 0, qe = qi(null), Se = null;
 function Cn(e) {
-  Me(!0), Li.value = e, qi.value = null, qe.value = { what: e, axis: null, text: "" };
+  Me(!0), Ti.value = e, Ri.value = null, qe.value = { what: e, axis: null, text: "" };
 }
 function Me(e) {
   qe.peek() && (qe.value = null, e ? Se?.end() : Se?.cancel(), Se = null);
 }
-function Et(e) {
+function Vt(e) {
   qe.value = e;
-  let t = Fi[e.axis ?? 0], n = Gi(e.text);
-  e.what === "move" ? Se?.move(Ei(t, n)) : Se?.rotate(t, n * Math.PI / 180);
+  let t = Hi[e.axis ?? 0], n = Oi(e.text);
+  e.what === "move" ? Se?.move(Ii(t, n)) : Se?.rotate(t, n * Math.PI / 180);
 }
-function Oi(e) {
+function Wi(e) {
   let t = qe.peek();
   if (!t || e.key === "Shift") return !1;
-  let n = e.ctrlKey || e.metaKey || e.altKey, { axis: a, sign: o, does: l } = n ? {} : Ni(e);
+  let n = e.ctrlKey || e.metaKey || e.altKey, { axis: a, sign: o, does: l } = n ? {} : Di(e);
   if (t.axis === null)
-    return a === void 0 ? (Me(!1), l === "leave") : (Se = Qa(t.what), Se ? Et({ ...t, axis: a }) : (Me(!1), Vi("Select lamps that have a place, or things that are not locked.", "warn")), !0);
+    return a === void 0 ? (Me(!1), l === "leave") : (Se = Qa(t.what), Se ? Vt({ ...t, axis: a }) : (Me(!1), Vi("Select lamps that have a place, or things that are not locked.", "warn")), !0);
   if (n)
     return Me(!0), !1;
-  if (a !== void 0) Et({ ...t, axis: a });
-  else if (o) Et({ ...t, text: Di(t.text, o) });
-  else if (l === "back") Et({ ...t, text: t.text.slice(0, -1) });
+  if (a !== void 0) Vt({ ...t, axis: a });
+  else if (o) Vt({ ...t, text: Gi(t.text, o) });
+  else if (l === "back") Vt({ ...t, text: t.text.slice(0, -1) });
   else if (l) Me(l === "keep");
   else return e.key.length === 1;
   return !0;
 }
-Ti(Oi);
+Pi(Wi);
 addEventListener("pointerdown", (e) => Me(e.button !== 2), !0);
-$i(() => {
-  Ii.value, Ri(() => Me(!0));
+Li(() => {
+  Ai.value, Fi(() => Me(!0));
 });
-function Wi() {
+function Ki() {
   let e = qe.value;
-  if (!e || Pi.value === "watch") return null;
+  if (!e || Ei.value === "watch") return null;
   let t = e.what === "move" ? "Move" : "Turn";
   return e.axis === null ? eo("p", { class: "hint", role: "status", children: [
     t,
@@ -699,7 +699,7 @@ function Wi() {
     " ",
     "XYZ"[e.axis],
     ": ",
-    Ki("b", { children: e.text || "0" }),
+    Bi("b", { children: e.text || "0" }),
     e.what === "move" ? " m" : "°",
     ". Enter keeps it, Esc takes it back."
   ] });
@@ -707,11 +707,11 @@ function Wi() {
 
 // src/later/actions.ts
 var se = () => X() ?? (he.value.length ? null : "Select a lamp first.");
-function ws() {
+function xs() {
   let e = he.peek(), t = !e.some((n) => At.get(n)?.on);
   Pn(`${go(e)} ${t ? "on" : "off"}`, { lamps: Tn(e, { on: t }) });
 }
-function xs() {
+function Ms() {
   let e = he.peek(), t = !e.every((n) => At.get(n)?.parked);
   Pn(`${t ? "Park" : "Unpark"} ${go(e)}`, { lamps: Tn(e, { parked: t }) });
 }
@@ -720,37 +720,37 @@ function ho(e) {
   if (!n.length) return at(e ? "Select a thing first." : "Nothing is hidden.", "warn");
   Pn(e ? "Hide things" : "Show hidden things", { things: Tn(n, { hidden: e }) });
 }
-function Ms() {
-  let e = he.peek()[0], t = At.get(e)?.place, n = is();
+function Ss() {
+  let e = he.peek()[0], t = At.get(e)?.place, n = ss();
   if (!t?.position || !t.direction || !n) return at("Select a lamp that has a direction.", "warn");
   let { position: a, direction: o } = t;
-  ns({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
+  as({ ...n, eye: a, target: [a[0] + o[0], a[1] + o[1], a[2] + o[2]], height: null, near: null }, "from the lamp");
 }
-function Ss() {
-  _i("command", {}, (e) => {
-    ji(e.text);
+function Cs() {
+  Xi("command", {}, (e) => {
+    Zi(e.text);
   });
 }
-var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], $s = {
+var $s = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sphere"]], Ls = {
   plan: "Plan",
   ceiling: "Ceiling, seen from below",
   north: "Elevation ahead",
   east: "Elevation to the right",
   south: "Elevation back",
   west: "Elevation to the left"
-}, Ls = [
-  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: ts },
-  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: as },
-  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: os },
-  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: Xi },
-  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: es },
-  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: bs, why: X },
-  ...ps.map((e, t) => ({
+}, Ts = [
+  { id: "frame", group: "View", label: "Frame the selection", keys: "F", run: ns },
+  { id: "home", group: "View", label: "Home: the view at the beginning", keys: "Home", run: os },
+  { id: "inside", group: "View", label: "Inside again", keys: "Shift+0", run: ls },
+  { id: "back", group: "View", label: "The view before", keys: "Alt+←", run: Yi },
+  { id: "forth", group: "View", label: "The view after", keys: "Alt+→", run: ts },
+  { id: "store-view", group: "View", label: "Store this view", keys: "Alt+0", run: vs, why: X },
+  ...ms.map((e, t) => ({
     id: `preset-${e}`,
     group: "View",
-    label: $s[e],
+    label: Ls[e],
     keys: `Shift+${t + 1}`,
-    run: () => ls(e)
+    run: () => rs(e)
   })),
   {
     id: "walking",
@@ -762,34 +762,34 @@ var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     }
   },
   { id: "there", group: "View", label: "Go to the floor under the pointer", keys: "double click", run: Da, why: Na },
-  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Ms, why: se },
+  { id: "from-lamp", group: "View", label: "View from the lamp", keys: "Shift+L", run: Ss, why: se },
   { id: "next", group: "Select", label: "Next", keys: "]", run: () => uo(1) },
   { id: "previous", group: "Select", label: "Previous", keys: "[", run: () => uo(-1) },
   { id: "marquee", group: "Select", label: "Select lamps by dragging around them", keys: "M", run: () => Ce("marquee") },
   { id: "all-lamps", group: "Select", label: "Select all lamps", keys: "Ctrl+A", run: () => fo.value = { kind: "lamp", ids: At.ids.peek() } },
-  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Qi },
-  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: ws, why: se },
-  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: fs, why: () => he.value.length ? null : "Select a lamp first." },
-  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: Yi },
-  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => ss(!0), why: se },
-  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: xs, why: se },
+  { id: "none", group: "Select", label: "Select nothing", keys: "Esc", run: Ji },
+  { id: "on-off", group: "Lamps", label: "On or off", keys: "O", run: xs, why: se },
+  { id: "solo", group: "Lamps", label: "Solo", keys: "I", run: gs, why: () => he.value.length ? null : "Select a lamp first." },
+  { id: "unsolo", group: "Lamps", label: "End solo", keys: "Shift+I", run: zi },
+  { id: "highlight", group: "Lamps", label: "Highlight as long as the key is held", keys: "hold L", run: () => us(!0), why: se },
+  { id: "park", group: "Lamps", label: "Park: off, and not traced", keys: "Shift+O", run: Ms, why: se },
   { id: "aim", group: "Lamps", label: "Aim by pointing", keys: "T", run: () => Ce("aim"), why: se },
   { id: "aim-here", group: "Lamps", label: "Aim at the point under the pointer", keys: "Shift+T", run: () => nt.peek() && ze(he.peek(), nt.peek().point), why: se },
   { id: "place", group: "Lamps", label: "Put on a surface by pointing", keys: "Shift+N", run: () => Ce("place"), why: se },
   { id: "move", group: "Lamps", label: "Move: handles, or an axis and metres", keys: "G, then X Y Z, 0.5", run: () => Cn("move") },
   { id: "turn", group: "Lamps", label: "Turn: handles, or an axis and degrees", keys: "R, then X Y Z, 30", run: () => Cn("turn") },
-  ...Cs.map(([e, t]) => ({
+  ...$s.map(([e, t]) => ({
     id: `add-${e}`,
     group: "Lamps",
     label: `Add a ${t} lamp by pointing`,
     keys: e === "spot" ? "N" : void 0,
     why: X,
     run: () => {
-      Bi.value = e, Ce("add");
+      Ui.value = e, Ce("add");
     }
   })),
   { id: "duplicate", group: "Lamps", label: "Duplicate", keys: "Ctrl+D", run: () => Mt(he.peek(), 1, [0.5, 0, 0]), why: se },
-  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Va(he.peek()), why: se },
+  { id: "remove", group: "Lamps", label: "Remove", keys: "Del", run: () => Ea(he.peek()), why: se },
   { id: "group", group: "Lamps", label: "Group: one master for those selected", keys: "Ctrl+G", run: qa, why: () => X() ?? $t() },
   { id: "ungroup", group: "Lamps", label: "Dissolve the group, or take lamps out of it", keys: "Ctrl+Shift+G", run: Ra, why: () => X() ?? Lt() },
   { id: "hide", group: "Things", label: "Hide", keys: "H", run: () => ho(!0), why: X },
@@ -798,17 +798,17 @@ var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
   { id: "redo", group: "Work", label: "Redo", keys: "Ctrl+Shift+Z", run: () => $n({ do: "redo" }), why: () => X() ?? (oo.value.redo === null ? "There is nothing to redo." : null) },
   { id: "save", group: "Work", label: "Save a version with a name", keys: "Ctrl+S", run: () => tt.value = "save", why: X },
   { id: "picture", group: "Work", label: "Save the picture", keys: "Ctrl+Shift+S", run: () => tt.value = "picture" },
-  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Ss },
+  { id: "command", group: "Work", label: "Copy the command that renders this picture", run: Cs },
   { id: "share", group: "Work", label: "Share by link", run: () => tt.value = "share" },
-  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: vs },
+  { id: "false-colour", group: "Seeing", label: "False colour", keys: "B", run: ys },
   {
     id: "quantity",
     group: "Seeing",
     label: "False colour of lux or of cd/m²",
     keys: "Shift+B",
     run: () => {
-      let e = Ji();
-      e.against != null || e.quantity === "clamped" ? It({ false_color: Zi }) : It({ false_color: { ...Ui(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
+      let e = es();
+      e.against != null || e.quantity === "clamped" ? It({ false_color: Qi }) : It({ false_color: { ..._i(e), quantity: e.quantity === "illuminance" ? "luminance" : "illuminance" } });
     }
   },
   {
@@ -816,22 +816,22 @@ var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     group: "Seeing",
     label: "Difference in lux to the look stored last",
     run: () => {
-      let e = us.ids.peek().at(-1);
+      let e = cs.ids.peek().at(-1);
       e === void 0 ? at("Store a look first.") : It({ false_color: ft(e) });
     }
   },
   { id: "clamped", group: "Seeing", label: "What clamping takes, and short rays pay back", run: () => It({ false_color: va }) },
   { id: "darker", group: "Seeing", label: "Darker by a third of a stop", keys: ",", run: () => no(1) },
   { id: "brighter", group: "Seeing", label: "Brighter by a third of a stop", keys: ".", run: () => no(-1) },
-  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => hs({ do: "expose" }) },
-  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => zi(!0) },
-  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: ys },
+  { id: "expose", group: "Seeing", label: "Meter the exposure once", keys: "/", run: () => fs({ do: "expose" }) },
+  { id: "before", group: "Seeing", label: "Before, as long as the key is held", keys: "hold \\", run: () => ji(!0) },
+  { id: "wipe", group: "Seeing", label: "Wipe between before and now", keys: "C", run: ks },
   { id: "meter", group: "Measure", label: "Meter under the pointer", keys: "P", why: X, run: () => nt.peek() ? Ze(nt.peek().point, nt.peek().normal) : Ce("meter") },
   { id: "meter-tool", group: "Measure", label: "Lay a meter by pointing", run: () => Ce("meter"), why: X },
   { id: "grid", group: "Measure", label: "Lay a grid by two corners", keys: "Shift+G", run: () => Ce("grid"), why: X },
-  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => $n({ do: "reach", most: Ie.peek(), maintenance: cs.peek() }), why: X },
+  { id: "reach", group: "Measure", label: "Set the mix so that the targets are reached", run: () => $n({ do: "reach", most: Ie.peek(), maintenance: ps.peek() }), why: X },
   { id: "units", group: "Measure", label: "Lux or foot-candles", run: () => to.value = to.peek() === "lx" ? "fc" : "lx" },
-  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: gs, why: X },
+  { id: "look-store", group: "Looks", label: "Store a look", keys: "Ctrl+Enter", run: bs, why: X },
   { id: "look-recall", group: "Looks", label: "Recall a look by its digit", keys: "J, then 1…9", run: () => at("Press J, then the digit of the look.") },
   { id: "panels", group: "Page", label: "Panels away", keys: "U", run: () => so.value = !so.peek() },
   { id: "listing", group: "Page", label: "Faders or sheet", run: () => ro.value = ro.peek() === "faders" ? "sheet" : "faders" },
@@ -844,21 +844,21 @@ var Cs = [["point", "point"], ["spot", "spot"], ["disc", "area"], ["sphere", "sp
     id: `hands-${e}`,
     group: "Page",
     label: `Navigate as: ${e}`,
-    run: () => rs.value = e
+    run: () => is.value = e
   })),
   { id: "help", group: "Page", label: "All keys", keys: "?", run: () => tt.value = "help" },
   { id: "palette", group: "Page", label: "Command palette", keys: "Ctrl+K", run: () => tt.value = "palette" }
 ];
-ms(Ls);
+ds(Ts);
 function qt() {
-  return [...(ds.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...ks.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
+  return [...(hs.value?.cameras ?? []).map((t, n) => ({ name: t.name || `Camera ${n + 1}`, camera: t })), ...ws.all().map(([, t]) => ({ name: t.name ?? "View", camera: t }))];
 }
 
 // src/later/shares.ts
-import { ask as Ts, computed as Ps, effect as bo, lamps as Vs, output as Es, untracked as Is, what as Vn } from "./desk.js";
-var As = Ps(() => Vn.value?.hit ?? null), vo = (e) => Ts("light", { point: e.point, normal: e.normal }, (t) => {
-  let n = Vn.peek();
-  n?.hit === e && (Vn.value = {
+import { ask as Ps, computed as Es, effect as bo, lamps as Vs, output as Is, untracked as As, what as En } from "./desk.js";
+var qs = Es(() => En.value?.hit ?? null), vo = (e) => Ps("light", { point: e.point, normal: e.normal }, (t) => {
+  let n = En.peek();
+  n?.hit === e && (En.value = {
     ...n,
     lux: t.lux ?? n.lux,
     lamps: t.lamps ?? n.lamps,
@@ -866,10 +866,10 @@ var As = Ps(() => Vn.value?.hit ?? null), vo = (e) => Ts("light", { point: e.poi
   });
 });
 bo(() => {
-  let e = As.value;
+  let e = qs.value;
   if (!e) return;
-  let t = Is(() => vo(e)), n = null, a = !0, o = bo(() => {
-    for (let [, l] of Vs.all()) Es(l);
+  let t = As(() => vo(e)), n = null, a = !0, o = bo(() => {
+    for (let [, l] of Vs.all()) Is(l);
     n !== null && clearTimeout(n), a || (n = window.setTimeout(() => {
       t(), t = vo(e);
     }, 250)), a = !1;
@@ -880,26 +880,26 @@ bo(() => {
 });
 
 // src/later/compare.tsx
-import { before as qs, comparing as Rs, digits as Fs, fitted as Hs, useEffect as Ns, useRef as Ds, viewSize as Gs, wipeAt as En } from "./desk.js";
-import { Fragment as Ws, jsx as In, jsxs as Ks } from "./desk.js";
-function Os() {
-  let e = Rs.value, t = qs.value, n = Ds(null);
-  if (Ns(() => {
+import { before as Rs, comparing as Fs, digits as Hs, fitted as Ns, useEffect as Ds, useRef as Gs, viewSize as Os, wipeAt as Vn } from "./desk.js";
+import { Fragment as Ks, jsx as In, jsxs as Bs } from "./desk.js";
+function Ws() {
+  let e = Fs.value, t = Rs.value, n = Gs(null);
+  if (Ds(() => {
     let i = n.current;
     !i || !t || (i.width = t.picture.width, i.height = t.picture.height, i.getContext("2d", { alpha: !1 })?.drawImage(t.picture, 0, 0));
   }, [t, e]), !e || !t) return null;
-  let [a] = Gs.value, o = En.value, l = Hs(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), s = (i) => {
+  let [a] = Os.value, o = Vn.value, l = Ns(t.picture.width, t.picture.height), r = Math.max(0, Math.min(1, (o * a - l.x) / (t.picture.width * l.scale))), s = (i) => {
     let p = i.currentTarget;
     if (i.stopPropagation(), i.type === "pointerdown") p.setPointerCapture(i.pointerId);
     else if (p.hasPointerCapture(i.pointerId)) {
       let u = p.parentElement.getBoundingClientRect();
-      En.value = Math.max(0, Math.min(1, (i.clientX - u.left) / u.width));
+      Vn.value = Math.max(0, Math.min(1, (i.clientX - u.left) / u.width));
     }
   }, c = (i) => {
     let p = { ArrowLeft: -0.02, ArrowRight: 0.02 }[i.key];
-    p && (i.stopPropagation(), i.preventDefault(), En.value = Math.max(0, Math.min(1, o + p)));
+    p && (i.stopPropagation(), i.preventDefault(), Vn.value = Math.max(0, Math.min(1, o + p)));
   };
-  return Ks(Ws, { children: [
+  return Bs(Ks, { children: [
     In(
       "canvas",
       {
@@ -921,7 +921,7 @@ function Os() {
         "aria-valuemin": 0,
         "aria-valuemax": 100,
         "aria-valuenow": Math.round(o * 100),
-        "aria-valuetext": `${Fs(o * 100)} % before`,
+        "aria-valuetext": `${Hs(o * 100)} % before`,
         style: { left: `${100 * o}%` },
         onPointerDown: s,
         onPointerMove: s,
@@ -932,22 +932,22 @@ function Os() {
 }
 
 // src/later/inspector.tsx
-import { act as kl, deselect as Zu, Icon as Jn, penless as ea, selection as Qu, signal as Ju } from "./desk.js";
+import { act as kl, deselect as Qu, Icon as Jn, penless as ea, selection as Ju, signal as ec } from "./desk.js";
 
 // src/later/measure.tsx
 import {
-  add as js,
-  deselect as Vo,
+  add as Zs,
+  deselect as Eo,
   digits as $e,
-  dot as Zs,
+  dot as Qs,
   edit as Ot,
-  grids as Qs,
-  Icon as Eo,
+  grids as Js,
+  Icon as Vo,
   length as Gt,
   maintained as He,
-  maintenance as Js,
-  meters as eu,
-  scale as tu,
+  maintenance as eu,
+  meters as tu,
+  scale as nu,
   selection as Io,
   up as To
 } from "./desk.js";
@@ -966,9 +966,9 @@ function yo(e, t) {
 
 // src/later/figures.tsx
 import { jsx as $o } from "./desk.js";
-var wo = () => An.value?.stage === "moving" || An.value?.stage === "loading", Bs = () => wo() || An.value?.stage === "refining", xo = { meter: 0.02, grid: 0.05 };
+var wo = () => An.value?.stage === "moving" || An.value?.stage === "loading", Us = () => wo() || An.value?.stage === "refining", xo = { meter: 0.02, grid: 0.05 };
 function Mo(e, t, n) {
-  return e == null || t == null || t > n * e || Bs();
+  return e == null || t == null || t > n * e || Us();
 }
 var Rt = ({ lux: e }) => Mo(e?.[0], e?.[1], xo.meter), Ft = ({ mean: e, error: t }) => Mo(e, t, xo.grid), So = (e, t) => wo() ? "open" : yo(e, t === !0);
 function Ht({ lux: e, target: t, done: n }) {
@@ -1001,7 +1001,7 @@ function Rn({ of: e }) {
 }
 
 // src/later/parts.tsx
-import { Field as Lo, Gesture as Us, Range as _s, stroke as Xs, useRef as Ys } from "./desk.js";
+import { Field as Lo, Gesture as _s, Range as Xs, stroke as Ys, useRef as zs } from "./desk.js";
 import { jsx as ue, jsxs as Dt } from "./desk.js";
 function A({ title: e, note: t, children: n }) {
   return Dt("section", { class: "part", "aria-label": e, children: [
@@ -1015,13 +1015,13 @@ function A({ title: e, note: t, children: n }) {
 function B(e) {
   return e.length && e.every((t) => t === e[0]) ? e[0] : null;
 }
-function V(e) {
+function E(e) {
   return Dt("label", { class: "line", children: [
     ue("span", { children: e.label }),
     ue(Lo, { ...e, label: e.name ?? e.label })
   ] });
 }
-function zs(e, t) {
+function js(e, t) {
   if (e !== null)
     return Number.isNaN(e) ? "–" : t === "length" ? e.toFixed(2) : void 0;
 }
@@ -1035,7 +1035,7 @@ function Q({ label: e, names: t, quantity: n, value: a, set: o, step: l, disable
         label: `${e} ${c}`,
         quantity: n,
         value: a[i],
-        text: zs(a[i], n),
+        text: js(a[i], n),
         step: l,
         disabled: r,
         set: (p) => o(i, p)
@@ -1045,11 +1045,11 @@ function Q({ label: e, names: t, quantity: n, value: a, set: o, step: l, disable
   ] });
 }
 function Re({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r, class: s, style: c, disabled: i }) {
-  let p = Ys(null), u = (d) => () => {
+  let p = zs(null), u = (d) => () => {
     p.current?.[d](), p.current = null;
-  }, b = (d) => p.current ? p.current.set(o(d)) : Xs(e + t, t, o(d));
+  }, b = (d) => p.current ? p.current.set(o(d)) : Ys(e + t, t, o(d));
   return ue(
-    _s,
+    Xs,
     {
       label: e,
       value: n,
@@ -1058,7 +1058,7 @@ function Re({ label: e, name: t, value: n, text: a, patch: o, reset: l, notch: r
       class: s,
       gradient: c,
       disabled: i,
-      begin: () => p.current = new Us(t),
+      begin: () => p.current = new _s(t),
       on: b,
       end: u("end"),
       cancel: u("cancel"),
@@ -1089,9 +1089,9 @@ var ce = (e, t, n) => e.map((a, o) => o === t ? n(a) : a);
 
 // src/later/measure.tsx
 import { Fragment as Fn, jsx as C, jsxs as Y } from "./desk.js";
-var nu = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
+var au = [["surface", "on the surface"], ["horizontal", "horizontal"], ["vertical", "vertical"], ["cylindrical", "cylindrical"], ["camera", "toward the camera"]];
 function Ao() {
-  let e = Io.value?.ids[0], t = eu.get(e);
+  let e = Io.value?.ids[0], t = tu.get(e);
   if (!t) return C("p", { class: "quiet empty", children: "This meter is gone." });
   let n = (a, o) => {
     let { lux: l, done: r, ...s } = { ...t, ...o };
@@ -1103,16 +1103,16 @@ function Ao() {
     C("div", { class: "scroll", children: Y(A, { title: "Meter", children: [
       Y("label", { class: "line", children: [
         C("span", { children: "Measures" }),
-        C("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: nu.map(([a, o]) => C("option", { value: a, children: o }, a)) })
+        C("select", { "aria-label": "Kind of the meter", value: t.kind, onChange: (a) => n("kind", { kind: a.currentTarget.value }), children: au.map(([a, o]) => C("option", { value: a, children: o }, a)) })
       ] }),
       C(Q, { label: "Point", quantity: "length", step: 0.01, value: t.point, set: (a, o) => n("move", { point: ce(t.point, a, o) }) }),
-      C(V, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
+      C(E, { label: "At least", quantity: "lux", step: 50, value: t.target ?? 0, set: (a) => n("target", { target: a(t.target ?? 0) || null }) }),
       C(Rn, { of: Ht(t) }),
       C(Q, { label: "Faces", quantity: "number", step: 0.1, value: t.normal.map((a) => Math.round(a * 1e3) / 1e3), set: (a, o) => n("turn", { normal: ce(t.normal, a, o) }) }),
       Y("button", { class: "plain full", onClick: () => {
-        Vo(), Ot(`Remove ${t.name}`, { meters: { [e]: null } });
+        Eo(), Ot(`Remove ${t.name}`, { meters: { [e]: null } });
       }, children: [
-        C(Eo, { name: "bin" }),
+        C(Vo, { name: "bin" }),
         "Remove"
       ] })
     ] }) })
@@ -1120,15 +1120,15 @@ function Ao() {
 }
 var Po = [["corridor", 100, 0.4], ["stairs", 150, 0.4], ["filing", 300, 0.4], ["writing, reading", 500, 0.6], ["drawing", 750, 0.7]];
 function qo() {
-  let e = Io.value?.ids[0], t = Qs.get(e);
+  let e = Io.value?.ids[0], t = Js.get(e);
   if (!t) return C("p", { class: "quiet empty", children: "This grid is gone." });
-  let n = Js.value, a = (i, p) => {
+  let n = eu.value, a = (i, p) => {
     let { name: u, corner: b, u: d, v: m, normal: f, columns: S, rows: H, border: ee, target: ve } = { ...t, ...p };
     Ot(`${t.name}: ${i}`, { grids: { [e]: { name: u, corner: b, u: d, v: m, normal: f, columns: S, rows: H, border: ee, target: ve } } });
   }, o = (i, p = t.border) => {
     let [u, b] = yn([gt(Gt(t.u), p), gt(Gt(t.v), p)]);
     a(i, { columns: u, rows: b, border: p });
-  }, l = Zs(t.corner, To.value) - bt(), r = (i, p, u) => Y(Fn, { children: [
+  }, l = Qs(t.corner, To.value) - bt(), r = (i, p, u) => Y(Fn, { children: [
     C("dt", { children: i }),
     C("dd", { children: p == null ? "…" : u(p) })
   ] }), s = (i, p) => i == null ? "" : ` ±${p(i)}`, c = t.target ?? { lux: 500, uniformity: 0.6 };
@@ -1169,20 +1169,20 @@ function qo() {
             C("option", { value: "-1", children: "no target" })
           ] })
         ] }),
-        C(V, { label: "Ē at least", quantity: "lux", step: 50, value: c.lux, set: (i) => a("target", { target: { ...c, lux: i(c.lux) } }) }),
-        C(V, { label: "U₀ at least", quantity: "share", step: 0.05, value: c.uniformity, set: (i) => a("target", { target: { ...c, uniformity: i(c.uniformity) } }) })
+        C(E, { label: "Ē at least", quantity: "lux", step: 50, value: c.lux, set: (i) => a("target", { target: { ...c, lux: i(c.lux) } }) }),
+        C(E, { label: "U₀ at least", quantity: "share", step: 0.05, value: c.uniformity, set: (i) => a("target", { target: { ...c, uniformity: i(c.uniformity) } }) })
       ] }),
       Y(A, { title: "Area", children: [
         C(Q, { label: "Corner", quantity: "length", step: 0.01, value: t.corner, set: (i, p) => a("move", { corner: ce(t.corner, i, p) }) }),
-        C(V, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => a("height", { corner: js(t.corner, tu(To.value, i(l) - l)) }) }),
-        C(V, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => o("border", Math.max(0, i(t.border ?? 0))) }),
-        C(V, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
-        C(V, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
+        C(E, { label: "Height", name: "Height above the floor", quantity: "length", step: 0.01, value: l, set: (i) => a("height", { corner: Zs(t.corner, nu(To.value, i(l) - l)) }) }),
+        C(E, { label: "Border", quantity: "length", step: 0.05, value: t.border ?? 0, set: (i) => o("border", Math.max(0, i(t.border ?? 0))) }),
+        C(E, { label: "Columns", quantity: "number", step: 1, value: t.columns, set: (i) => a("spacing", { columns: Math.max(1, Math.min(200, Math.round(i(t.columns)))) }) }),
+        C(E, { label: "Rows", quantity: "number", step: 1, value: t.rows, set: (i) => a("spacing", { rows: Math.max(1, Math.min(200, Math.round(i(t.rows)))) }) }),
         C("button", { class: "plain full", title: "EN 12464-1: p = 0.2 · 5^log d", onClick: () => o("standard spacing"), children: "Spacing of the standard" }),
         Y("button", { class: "plain full", onClick: () => {
-          Vo(), Ot(`Remove ${t.name}`, { grids: { [e]: null } });
+          Eo(), Ot(`Remove ${t.name}`, { grids: { [e]: null } });
         }, children: [
-          C(Eo, { name: "bin" }),
+          C(Vo, { name: "bin" }),
           "Remove"
         ] })
       ] })
@@ -1193,7 +1193,7 @@ function qo() {
 // src/later/lamp.tsx
 import {
   act as oe,
-  chosenLamps as gu,
+  chosenLamps as bu,
   dot as On,
   edit as Bt,
   format as Uo,
@@ -1201,50 +1201,50 @@ import {
   handles as Wt,
   Icon as De,
   lamps as Bn,
-  layers as bu,
-  lumensOf as vu,
+  layers as vu,
+  lumensOf as yu,
   normal as _o,
-  output as yu,
+  output as ku,
   percent as Kn,
   positionOf as Do,
   selection as Xo,
   signal as Yo,
-  spot as ku,
+  spot as wu,
   sub as Go,
   titleOf as Un,
   tool as zo,
   toLevel as Oo,
-  toTravel as wu,
+  toTravel as xu,
   typeLevel as Wn,
-  up as xu,
-  Fade as Mu,
-  Field as Su,
+  up as Mu,
+  Fade as Su,
+  Field as Cu,
   wantLevel as Wo,
   compass as jo,
   add as _t,
   scale as Ge,
-  length as Cu,
-  Range as $u,
+  length as $u,
+  Range as Lu,
   strokeLevel as Ko,
-  typeGroupLevel as Lu,
-  useRef as Tu
+  typeGroupLevel as Tu,
+  useRef as Pu
 } from "./desk.js";
 
 // src/later/color.tsx
 import {
-  chosenLamps as ru,
+  chosenLamps as iu,
   digits as Fo,
-  edit as iu,
-  fromHex as su,
-  hex as uu,
+  edit as su,
+  fromHex as uu,
+  hex as cu,
   lamps as Ho,
   mired as Le,
-  titleOf as cu
+  titleOf as pu
 } from "./desk.js";
 
 // src/later/white.ts
-import { css as au, mired as Hn } from "./desk.js";
-function ou(e, t) {
+import { css as ou, mired as Hn } from "./desk.js";
+function lu(e, t) {
   let [n, a] = [e / Math.max(t, 1e-6), (1 - e - t) / Math.max(t, 1e-6)];
   return [
     3.2404542 * n - 1.5371385 - 0.4985314 * a,
@@ -1252,33 +1252,33 @@ function ou(e, t) {
     0.0556434 * n - 0.2040259 + 1.0572252 * a
   ].map((l) => Math.max(0, l));
 }
-function lu(e) {
+function ru(e) {
   let t = 1e3 / Math.max(1667, Math.min(25e3, e)), n = e <= 4e3 ? -0.2661239 * t ** 3 - 0.234358 * t ** 2 + 0.8776956 * t + 0.17991 : -3.0258469 * t ** 3 + 2.1070379 * t ** 2 + 0.2226347 * t + 0.24039, a = e <= 2222 ? -1.1063814 * n ** 3 - 1.3481102 * n ** 2 + 2.18555832 * n - 0.20219683 : e <= 4e3 ? -0.9549476 * n ** 3 - 1.37418593 * n ** 2 + 2.09137015 * n - 0.16748867 : 3.081758 * n ** 3 - 5.8733867 * n ** 2 + 3.75112997 * n - 0.37001483;
   return [n, a];
 }
 function Ro(e, t, n = 9) {
   return `linear-gradient(to right, ${Array.from({ length: n }, (o, l) => {
     let r = Hn(e) + (Hn(t) - Hn(e)) * l / (n - 1);
-    return au(ou(...lu(1e6 / r)));
+    return ou(lu(...ru(1e6 / r)));
   }).join(", ")})`;
 }
 
 // src/later/color.tsx
 import { Fragment as Dn, jsx as D, jsxs as fe } from "./desk.js";
-var ot = 1800, Gn = 1e4, pu = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], mu = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], du = Ro(ot, Gn), Nn = (e, t) => ({
+var ot = 1800, Gn = 1e4, mu = [[2200, "candle"], [2700, "warm"], [3e3, "warm white"], [4e3, "neutral"], [5e3, "cool"], [6500, "daylight"]], du = [["file", "File"], ["kelvin", "White"], ["rgb", "RGB"], ["xy", "x y"]], hu = Ro(ot, Gn), Nn = (e, t) => ({
   lamps: Object.fromEntries(e.map((n) => [n, { color: t(Ho.get(n).color) }]))
-}), hu = (e) => {
+}), fu = (e) => {
   let t = 1e6 / (Le(ot) + (Le(Gn) - Le(ot)) * e);
   return Math.round(t / 10) * 10;
-}, fu = (e) => (Le(e) - Le(ot)) / (Le(Gn) - Le(ot));
+}, gu = (e) => (Le(e) - Le(ot)) / (Le(Gn) - Le(ot));
 function No() {
-  let e = ru.value, t = e.map((r) => Ho.get(r)?.color).filter((r) => r !== void 0);
+  let e = iu.value, t = e.map((r) => Ho.get(r)?.color).filter((r) => r !== void 0);
   if (!t.length) return null;
-  let n = B(t.map((r) => r.mode)), a = t[0], o = cu(e), l = (r, s) => iu(`${o}: ${r}`, Nn(e, s));
+  let n = B(t.map((r) => r.mode)), a = t[0], o = pu(e), l = (r, s) => su(`${o}: ${r}`, Nn(e, s));
   return fe(Dn, { children: [
     fe("div", { class: "line", children: [
       D("span", { children: "Colour" }),
-      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: mu.map(([r, s]) => D("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
+      D("div", { class: "segments", role: "group", "aria-label": "Colour by", children: du.map(([r, s]) => D("button", { "aria-pressed": n === r, onClick: () => l(`colour by ${s}`, () => ({ mode: r })), children: s }, r)) })
     ] }),
     n === "kelvin" && fe(Dn, { children: [
       fe("div", { class: "line slide", children: [
@@ -1289,15 +1289,15 @@ function No() {
             label: "Colour temperature",
             name: `${o}: white`,
             class: "mired",
-            style: du,
-            value: fu(a.kelvin),
+            style: hu,
+            value: gu(a.kelvin),
             text: `${Fo(a.kelvin)} kelvin`,
-            patch: (r) => Nn(e, () => ({ mode: "kelvin", kelvin: hu(r) }))
+            patch: (r) => Nn(e, () => ({ mode: "kelvin", kelvin: fu(r) }))
           }
         )
       ] }),
       D(
-        V,
+        E,
         {
           label: "",
           name: "Colour temperature, typed",
@@ -1307,7 +1307,7 @@ function No() {
           set: (r) => l("white", (s) => ({ mode: "kelvin", kelvin: r(s.kelvin) }))
         }
       ),
-      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: pu.map(([r, s]) => D("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
+      D("div", { class: "whites", role: "group", "aria-label": "Whites", children: mu.map(([r, s]) => D("button", { title: s, "aria-label": `${r} kelvin, ${s}`, onClick: () => l(`${r} K`, () => ({ mode: "kelvin", kelvin: r })), children: r }, r)) }),
       fe("div", { class: "line slide", children: [
         D("span", { title: "Duv × 1000: below magenta, above green", children: "Tint" }),
         D(
@@ -1324,12 +1324,12 @@ function No() {
           }
         )
       ] }),
-      D(V, { label: "", name: "Tint, typed", quantity: "number", value: B(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
+      D(E, { label: "", name: "Tint, typed", quantity: "number", value: B(t.map((r) => r.tint)), step: 1, set: (r) => l("tint", (s) => ({ tint: Math.max(-50, Math.min(50, r(s.tint))) })) })
     ] }),
     n === "rgb" && fe(Dn, { children: [
       fe("label", { class: "line", children: [
         D("span", { children: "Colour" }),
-        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: uu(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: su(r.currentTarget.value) })) })
+        D("input", { type: "color", class: "pick", "aria-label": "Colour", value: cu(a.rgb), onChange: (r) => l("colour", () => ({ mode: "rgb", rgb: uu(r.currentTarget.value) })) })
       ] }),
       D(
         Q,
@@ -1346,7 +1346,7 @@ function No() {
     n === "xy" && fe("div", { class: "line", role: "group", "aria-label": "Chromaticity", children: [
       D("span", { children: "x, y" }),
       D("span", { class: "triple", children: [0, 1].map((r) => D(
-        V,
+        E,
         {
           label: "xy"[r],
           quantity: "number",
@@ -1363,7 +1363,7 @@ function No() {
 
 // src/later/lamp.tsx
 import { Fragment as _n, jsx as y, jsxs as G } from "./desk.js";
-var Ne = Yo(1), Kt = Yo([1, 0, 0]), Pu = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Xt = 180 / Math.PI;
+var Ne = Yo(1), Kt = Yo([1, 0, 0]), Eu = [[-1, "−1"], [-1 / 3, "−⅓"], [1 / 3, "+⅓"], [1, "+1"]], Xt = 180 / Math.PI;
 function Bo(e, t) {
   let { right: n, ahead: a } = jo(t), o = -On(e, t);
   return [Math.atan2(On(e, n), On(e, a)) * Xt, Math.asin(Math.max(-1, Math.min(1, o))) * Xt];
@@ -1372,7 +1372,7 @@ function Vu(e, t, n) {
   let { right: a, ahead: o } = jo(n), [l, r] = [e / Xt, t / Xt], s = _t(Ge(a, Math.sin(l)), Ge(o, Math.cos(l)));
   return _o(_t(Ge(s, Math.cos(r)), Ge(n, -Math.sin(r))));
 }
-function Eu({ ids: e, all: t }) {
+function Iu({ ids: e, all: t }) {
   let n = t.some((o) => o.place?.direction), a = Xo.value?.kind === "group";
   return G("div", { class: "tools", role: "toolbar", "aria-label": "Lamps", children: [
     G("button", { "aria-pressed": zo.value === "aim", "aria-disabled": !n, title: "Aim by pointing (T): then click what shall be lit", onClick: () => oe("aim"), children: [
@@ -1389,17 +1389,17 @@ function Eu({ ids: e, all: t }) {
     y("button", { class: "icon", "aria-label": `Remove ${Un(e)}`, title: "Remove (Del)", onClick: () => oe("remove"), children: y(De, { name: "bin" }) })
   ] });
 }
-function Iu({ ids: e, all: t }) {
-  let n = B(t.map((r) => r.level)), a = vu(e), o = t.every((r) => r.free), l = e[e.length - 1];
+function Au({ ids: e, all: t }) {
+  let n = B(t.map((r) => r.level)), a = yu(e), o = t.every((r) => r.free), l = e[e.length - 1];
   return G(A, { title: "Light", note: o ? "re-mix" : "re-trace", children: [
     G("div", { class: "line slide", children: [
       y("span", { children: "Level" }),
-      y(Au, { id: l })
+      y(qu, { id: l })
     ] }),
     G("label", { class: "line", children: [
       y("span", {}),
       y(
-        Su,
+        Cu,
         {
           label: "Level of the selection",
           quantity: "level",
@@ -1414,7 +1414,7 @@ function Iu({ ids: e, all: t }) {
       )
     ] }),
     y(
-      V,
+      E,
       {
         label: "Flux",
         quantity: "flux",
@@ -1424,7 +1424,7 @@ function Iu({ ids: e, all: t }) {
     ),
     G("div", { class: "line", children: [
       y("span", { children: "Stops" }),
-      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: Pu.map(([r, s]) => y("button", { "aria-label": `${s} stop`, onClick: () => Wn(e, (c) => Math.min(1e3, c * 2 ** r)), children: s }, s)) })
+      y("div", { class: "steps", role: "group", "aria-label": "Level by stops", children: Eu.map(([r, s]) => y("button", { "aria-label": `${s} stop`, onClick: () => Wn(e, (c) => Math.min(1e3, c * 2 ** r)), children: s }, s)) })
     ] }),
     G("p", { class: "sum", children: [
       Uo(a, "flux"),
@@ -1435,19 +1435,19 @@ function Iu({ ids: e, all: t }) {
     y(No, {})
   ] });
 }
-function Au({ id: e }) {
-  let t = Tu(null), n = Bn.get(e);
+function qu({ id: e }) {
+  let t = Pu(null), n = Bn.get(e);
   if (!n) return null;
   let a = { kind: "lamp", id: e }, o = (l) => () => {
     t.current?.[l](), t.current = null;
   };
   return y(
-    $u,
+    Lu,
     {
       label: "Level",
-      value: wu(n.level),
-      text: `${Kn(n.level)} %, ${Uo(n.flux * yu(n), "flux")}`,
-      begin: () => t.current = new Mu(a),
+      value: xu(n.level),
+      text: `${Kn(n.level)} %, ${Uo(n.flux * ku(n), "flux")}`,
+      begin: () => t.current = new Su(a),
       on: (l) => t.current ? t.current.to(Oo(l)) : Ko(a, Oo(l)),
       end: o("end"),
       cancel: o("cancel"),
@@ -1463,24 +1463,24 @@ function lt(e, t, n) {
   }
   Object.keys(a).length && Bt(`${Un(e)}: ${t}`, { lamps: a });
 }
-function qu({ ids: e, all: t }) {
+function Ru({ ids: e, all: t }) {
   let n = (o) => B(t.map((l) => l.place?.[o] ?? null)), a = (o) => t.some((l) => l.place?.[o] != null);
   return !a("outer") && !a("radius") ? null : G(A, { title: "Beam", note: "re-trace", children: [
     a("outer") && G(_n, { children: [
-      y(V, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => lt(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
-      y(V, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => lt(e, "beam", (l) => {
+      y(E, { label: "Full to", quantity: "angle", step: 1, value: n("inner"), set: (o) => lt(e, "beam", (l) => l.outer == null ? null : { inner: Math.max(0.1, Math.min(l.outer, o(l.inner ?? l.outer))) }) }),
+      y(E, { label: "Ends at", quantity: "angle", step: 1, value: n("outer"), set: (o) => lt(e, "beam", (l) => {
         if (l.outer == null) return null;
         let r = Math.max(0.2, Math.min(179, o(l.outer)));
         return { outer: r, inner: Math.min(l.inner ?? r, r) };
       }) })
     ] }),
-    a("radius") && y(V, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => lt(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
+    a("radius") && y(E, { label: "Radius", quantity: "length", step: 0.01, value: n("radius"), set: (o) => lt(e, "radius", (l) => l.radius == null ? null : { radius: Math.max(1e-3, o(l.radius)) }) })
   ] });
 }
-function Ru({ ids: e, all: t }) {
+function Fu({ ids: e, all: t }) {
   let n = t.filter((u) => Do(u) !== null);
   if (!n.length) return null;
-  let a = n.map((u) => Do(u)), o = (u, b) => B(b.map((d) => Math.round(d[u] * 1e4) / 1e4)), l = t.filter((u) => u.place?.direction), r = xu.value, s = l.map((u) => Bo(u.place?.direction, r).map((b) => Math.round(b * 10) / 10)), c = t.map((u) => u.place?.aim).filter((u) => !!u), i = (u, b) => {
+  let a = n.map((u) => Do(u)), o = (u, b) => B(b.map((d) => Math.round(d[u] * 1e4) / 1e4)), l = t.filter((u) => u.place?.direction), r = Mu.value, s = l.map((u) => Bo(u.place?.direction, r).map((b) => Math.round(b * 10) / 10)), c = t.map((u) => u.place?.aim).filter((u) => !!u), i = (u, b) => {
     let d = Je(e), m = {};
     for (let [f, S] of d) {
       let H = [0, 0, 0];
@@ -1491,14 +1491,14 @@ function Ru({ ids: e, all: t }) {
     if (!d.direction) return null;
     let m = Bo(d.direction, r);
     m[u] = b(m[u]);
-    let f = Vu(m[0], Math.max(-90, Math.min(90, m[1])), r), S = d.aim && d.position ? Cu(Go(d.aim, d.position)) : 0;
+    let f = Vu(m[0], Math.max(-90, Math.min(90, m[1])), r), S = d.aim && d.position ? $u(Go(d.aim, d.position)) : 0;
     return { direction: f, ...S && d.position ? { aim: _t(d.position, Ge(f, S)) } : {} };
   });
   return G(A, { title: "Place", note: "re-trace", children: [
     y(Q, { label: "Position", quantity: "length", step: 0.01, value: [0, 1, 2].map((u) => o(u, a)), set: i }),
     l.length > 0 && G(_n, { children: [
-      y(V, { label: "Pan", quantity: "angle", step: 1, value: B(s.map((u) => u[0])), set: (u) => p(0, u) }),
-      y(V, { label: "Tilt", quantity: "angle", step: 1, value: B(s.map((u) => u[1])), set: (u) => p(1, u) }),
+      y(E, { label: "Pan", quantity: "angle", step: 1, value: B(s.map((u) => u[0])), set: (u) => p(0, u) }),
+      y(E, { label: "Tilt", quantity: "angle", step: 1, value: B(s.map((u) => u[1])), set: (u) => p(1, u) }),
       y(
         Q,
         {
@@ -1522,12 +1522,12 @@ function Ru({ ids: e, all: t }) {
       ] })
     ] }),
     y("button", { class: "plain full", "aria-pressed": zo.value === "place", onClick: () => oe("place"), children: "Put on a surface by pointing" }),
-    l.length > 0 && ku.value && y("button", { class: "plain full", onClick: () => oe("aim-here"), children: "Aim at the last point" })
+    l.length > 0 && wu.value && y("button", { class: "plain full", onClick: () => oe("aim-here"), children: "Aim at the last point" })
   ] });
 }
-function Fu({ ids: e, all: t }) {
+function Hu({ ids: e, all: t }) {
   return t.some((n) => n.kind === "surface" || n.kind === "sky") ? null : G(A, { title: "Copies along a line", children: [
-    y(V, { label: "How many", quantity: "number", step: 1, value: Ne.value, set: (n) => Ne.value = Math.max(1, Math.min(100, Math.round(n(Ne.value)))) }),
+    y(E, { label: "How many", quantity: "number", step: 1, value: Ne.value, set: (n) => Ne.value = Math.max(1, Math.min(100, Math.round(n(Ne.value)))) }),
     y(Q, { label: "Step", quantity: "length", step: 0.05, value: Kt.value, set: (n, a) => Kt.value = ce(Kt.value, n, a) }),
     G("button", { class: "plain full", onClick: () => Mt(e, Ne.value, Kt.value), children: [
       y(De, { name: "copy" }),
@@ -1536,9 +1536,9 @@ function Fu({ ids: e, all: t }) {
   ] });
 }
 function Zo() {
-  let e = gu.value, t = e.map((s) => Bn.get(s)).filter((s) => !!s);
+  let e = bu.value, t = e.map((s) => Bn.get(s)).filter((s) => !!s);
   if (!t.length) return y("p", { class: "quiet empty", children: "This lamp is gone." });
-  let n = t.length === 1 ? t[0] : null, a = n && Ut.get(n.group), o = Xo.value, l = o?.kind === "group" && o.ids.length === 1 ? Ut.get(o.ids[0]) : void 0, r = n?.layer != null ? bu.value[n.layer] : void 0;
+  let n = t.length === 1 ? t[0] : null, a = n && Ut.get(n.group), o = Xo.value, l = o?.kind === "group" && o.ids.length === 1 ? Ut.get(o.ids[0]) : void 0, r = n?.layer != null ? vu.value[n.layer] : void 0;
   return G(_n, { children: [
     y("header", { class: "panel-head", children: l && o ? y(Fe, { label: "Name of the group", value: l.name, set: (s) => Bt(`Rename ${l.name}`, { groups: { [o.ids[0]]: { name: s } } }) }) : n ? y(Fe, { label: "Name of the lamp", value: n.name, set: (s) => Bt(`Rename ${n.name}`, { lamps: { [e[0]]: { name: s } } }) }) : G("h2", { children: [
       t.length,
@@ -1546,13 +1546,13 @@ function Zo() {
     ] }) }),
     y("p", { class: "crumbs", children: n ? `${n.kind}${a && a.lamps.length > 1 ? ` ▸ ${a.name}` : ""}${r ? ` ▸ ${r.name}` : ""}` : `${t.filter((s) => s.on).length} of ${t.length} on` }),
     G("div", { class: "scroll", children: [
-      y(Eu, { ids: e, all: t }),
-      l && o && y(A, { title: "Group", note: "re-mix", children: y(V, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => Lu(o.ids[0], s) }) }),
       y(Iu, { ids: e, all: t }),
+      l && o && y(A, { title: "Group", note: "re-mix", children: y(E, { label: "Master", name: "Master of the group", quantity: "level", step: 0.01, value: l.level, set: (s) => Tu(o.ids[0], s) }) }),
+      y(Au, { ids: e, all: t }),
       y(A, { title: "Photometry", children: y("button", { class: "plain full", disabled: !0, title: "Photometric files (IES, LDT) come with a later version", children: "IES or LDT file… comes later" }) }),
-      y(qu, { ids: e, all: t }),
       y(Ru, { ids: e, all: t }),
       y(Fu, { ids: e, all: t }),
+      y(Hu, { ids: e, all: t }),
       y("p", { class: "cost", children: t.every((s) => s.free) ? "Level and colour are a re-mix: no ray. Place and beam are traced anew." : "Some of these share no layer of their own: their level is traced anew." })
     ] })
   ] });
@@ -1562,104 +1562,104 @@ function Zo() {
 import {
   act as Xn,
   candles as Yt,
-  command as Hu,
+  command as Nu,
   digits as jt,
   edit as Qo,
   Field as Jo,
   filterOf as al,
-  go as Nu,
-  history as Du,
+  go as Du,
+  history as Gu,
   hovered as el,
   Icon as Zt,
-  layers as Gu,
+  layers as Ou,
   lookOnly as tl,
   maintenance as Oe,
-  materials as Ou,
-  percent as Wu,
-  scene as Ku,
+  materials as Wu,
+  percent as Ku,
+  scene as Bu,
   select as ol,
-  signal as Bu,
+  signal as Uu,
   singleKeys as nl,
-  sub as Uu,
-  things as _u,
+  sub as _u,
+  things as Xu,
   travel as zt,
   Virtual as ll,
   workPlane as Yn
 } from "./desk.js";
-import { Fragment as Xu, jsx as M, jsxs as E } from "./desk.js";
+import { Fragment as Yu, jsx as M, jsxs as V } from "./desk.js";
 function rl() {
-  let e = Ku.value;
+  let e = Bu.value;
   if (!e) return null;
-  let t = Uu(e.bounds[1], e.bounds[0]);
-  return E(Xu, { children: [
-    E(A, { title: "Room", children: [
-      E("p", { children: [
+  let t = _u(e.bounds[1], e.bounds[0]);
+  return V(Yu, { children: [
+    V(A, { title: "Room", children: [
+      V("p", { children: [
         t.map((n) => jt(n, 2)).join(" × "),
         " m",
         e.triangles ? `, ${jt(e.triangles)} triangles` : ""
       ] }),
       M("p", { class: "path", children: e.file }),
-      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Nu(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
-      e.warnings.length > 0 && E("details", { children: [
-        E("summary", { children: [
+      e.cameras.length > 0 && M("ul", { class: "buttons", children: e.cameras.map((n, a) => M("li", { children: M("button", { onClick: () => Du(n, n.name ?? "camera"), children: n.name || `Camera ${a + 1}` }) }, a)) }),
+      e.warnings.length > 0 && V("details", { children: [
+        V("summary", { children: [
           e.warnings.length === 1 ? "One remark" : `${e.warnings.length} remarks`,
           " on the file"
         ] }),
         M("ul", { class: "remarks", children: e.warnings.map((n) => M("li", { children: n }, n)) })
       ] })
     ] }),
-    E(A, { title: "Figures", children: [
-      E("label", { class: "line", children: [
+    V(A, { title: "Figures", children: [
+      V("label", { class: "line", children: [
         M("span", { children: "Maintenance" }),
         M(Jo, { label: "Maintenance factor", quantity: "share", value: Oe.value, step: 0.05, set: (n) => Oe.value = Math.max(0.1, Math.min(1, n(Oe.value))) })
       ] }),
-      E("p", { class: "quiet", children: [
+      V("p", { class: "quiet", children: [
         Oe.value === 1 ? "New installation: figures as they are." : "Every figure is multiplied by this.",
         Oe.value === 1 && M("button", { class: "plain", onClick: () => Oe.value = 0.8, children: "0.80" })
       ] }),
-      E("label", { class: "line", children: [
+      V("label", { class: "line", children: [
         M("span", { children: "Work plane" }),
         M(Jo, { label: "Work plane above the floor", quantity: "length", value: Yn.value, step: 0.05, set: (n) => Yn.value = Math.max(0, Math.min(3, n(Yn.value))) })
       ] }),
-      E("div", { class: "line", children: [
+      V("div", { class: "line", children: [
         M("span", { children: "Unit" }),
-        E("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
+        V("div", { class: "segments", role: "group", "aria-label": "Unit of illuminance", children: [
           M("button", { "aria-pressed": Yt.value === "lx", onClick: () => Yt.value = "lx", children: "lx, cd/m²" }),
           M("button", { "aria-pressed": Yt.value === "fc", onClick: () => Yt.value = "fc", children: "fc, fL" })
         ] })
       ] })
     ] }),
-    M(A, { title: "Layers of light", children: M("ul", { class: "layers", children: Gu.value.map((n, a) => E("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
+    M(A, { title: "Layers of light", children: M("ul", { class: "layers", children: Ou.value.map((n, a) => V("li", { class: n.batches < n.of && !n.held ? "busy" : "", children: [
       M("i", { class: "dot", "aria-hidden": "true" }),
       M("span", { children: n.name || `layer ${a + 1}` }),
-      M("small", { children: n.held ? "held" : Wu(n.of ? n.batches / n.of : 0) + " %" })
+      M("small", { children: n.held ? "held" : Ku(n.of ? n.batches / n.of : 0) + " %" })
     ] }, a)) }) }),
-    E(A, { title: "Hands", children: [
-      E("div", { class: "line", children: [
+    V(A, { title: "Hands", children: [
+      V("div", { class: "line", children: [
         M("span", { children: "Faders" }),
-        E("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
+        V("div", { class: "segments", role: "group", "aria-label": "Travel of faders", children: [
           M("button", { "aria-pressed": zt.value === "square", onClick: () => zt.value = "square", children: "Square law" }),
           M("button", { "aria-pressed": zt.value === "linear", onClick: () => zt.value = "linear", children: "Even" })
         ] })
       ] }),
-      E("label", { class: "check", children: [
+      V("label", { class: "check", children: [
         M("input", { type: "checkbox", checked: nl.value, onChange: (n) => nl.value = n.currentTarget.checked }),
         "Keys of one letter"
       ] }),
-      E("label", { class: "check", children: [
+      V("label", { class: "check", children: [
         M("input", { type: "checkbox", checked: tl.value, onChange: (n) => tl.value = n.currentTarget.checked }),
         "Look only"
       ] })
     ] })
   ] });
 }
-var Qt = Bu("");
+var Qt = Uu("");
 function il({ label: e }) {
   return M("span", { class: "field filter", children: M("input", { type: "text", "aria-label": e, placeholder: "Filter", value: Qt.value, onInput: (t) => Qt.value = t.currentTarget.value }) });
 }
 function sl() {
-  let e = al(_u, Qt.value);
-  return E("div", { class: "listing", children: [
+  let e = al(Xu, Qt.value);
+  return V("div", { class: "listing", children: [
     M(il, { label: "Filter things" }),
     M(
       ll,
@@ -1669,7 +1669,7 @@ function sl() {
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return E("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => el.value = { kind: "thing", id: n }, onPointerLeave: () => el.value = null, children: [
+          return V("div", { class: "sheet-row thing", role: "listitem", onPointerEnter: () => el.value = { kind: "thing", id: n }, onPointerLeave: () => el.value = null, children: [
             M("button", { class: "icon", "aria-pressed": !a.hidden, "aria-label": `${a.name} shown`, onClick: () => Qo(`${a.hidden ? "Show" : "Hide"} ${a.name}`, { things: { [n]: { hidden: !a.hidden } } }), children: M(Zt, { name: a.hidden ? "eye-off" : "eye" }) }),
             M("button", { class: "row-name", onClick: () => ol("thing", n), children: M("span", { children: a.name }) }),
             M("button", { class: "icon", "aria-pressed": a.locked, "aria-label": `${a.name} locked`, onClick: () => Qo(`${a.locked ? "Unlock" : "Lock"} ${a.name}`, { things: { [n]: { locked: !a.locked } } }), children: M(Zt, { name: a.locked ? "lock" : "unlock" }) })
@@ -1680,8 +1680,8 @@ function sl() {
   ] });
 }
 function ul() {
-  let e = al(Ou, Qt.value);
-  return E("div", { class: "listing", children: [
+  let e = al(Wu, Qt.value);
+  return V("div", { class: "listing", children: [
     M(il, { label: "Filter materials" }),
     M(
       ll,
@@ -1691,9 +1691,9 @@ function ul() {
         height: 28,
         row: (t) => {
           let [n, a] = e[t];
-          return E("div", { class: "sheet-row material", role: "listitem", children: [
+          return V("div", { class: "sheet-row material", role: "listitem", children: [
             M("button", { class: "row-name", onClick: () => ol("material", n), children: M("span", { children: a.name }) }),
-            E("small", { children: [
+            V("small", { children: [
               a.kind,
               a.reflectance != null ? ` · ρ ${jt(a.reflectance, 2)}` : ""
             ] })
@@ -1704,22 +1704,22 @@ function ul() {
   ] });
 }
 function cl() {
-  let e = Du.value;
-  return E(A, { title: "History", children: [
-    E("p", { children: [
+  let e = Gu.value;
+  return V(A, { title: "History", children: [
+    V("p", { children: [
       e.steps === 1 ? "One step" : `${jt(e.steps)} steps`,
       " so far; all can be undone."
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Xn("undo"), children: [
+    V("button", { class: "plain full", "aria-disabled": e.undo === null, onClick: () => Xn("undo"), children: [
       M(Zt, { name: "undo" }),
       e.undo ? `Undo: ${e.undo}` : "Nothing to undo"
     ] }),
-    E("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Xn("redo"), children: [
+    V("button", { class: "plain full", "aria-disabled": e.redo === null, onClick: () => Xn("redo"), children: [
       M(Zt, { name: "redo" }),
       e.redo ? `Redo: ${e.redo}` : "Nothing to redo"
     ] }),
     M("button", { class: "plain full", onClick: () => Xn("save"), children: "Save a version with a name…" }),
-    M("button", { class: "plain full", onClick: () => Hu({ do: "save" }), children: "Save now" })
+    M("button", { class: "plain full", onClick: () => Nu({ do: "save" }), children: "Save now" })
   ] });
 }
 
@@ -1727,8 +1727,8 @@ function cl() {
 import {
   digits as zn,
   edit as hl,
-  fromHex as Yu,
-  hex as zu,
+  fromHex as zu,
+  hex as ju,
   Icon as pl,
   materials as fl,
   middle as ml,
@@ -1741,7 +1741,7 @@ var Zn = 180 / Math.PI;
 function dl(e, t) {
   return e ? 2 * Math.atan2(e[t], e[3]) * Zn : 0;
 }
-function ju(e, t) {
+function Zu(e, t) {
   let n = [0, 0, 0, Math.cos(t / Zn / 2)];
   return n[e] = Math.sin(t / Zn / 2), n;
 }
@@ -1780,19 +1780,19 @@ function vl() {
           }
         ),
         [0, 1, 2].map((c) => T(
-          V,
+          E,
           {
             label: `Turn ${"XYZ"[c]}`,
             quantity: "angle",
             step: 5,
             disabled: o,
             value: B(t.map((i) => Math.round(dl(i.place?.rotation, c) * 10) / 10)),
-            set: (i) => l("turn", (p) => ({ place: { rotation: ju(c, i(dl(p.place?.rotation, c))) } }))
+            set: (i) => l("turn", (p) => ({ place: { rotation: Zu(c, i(dl(p.place?.rotation, c))) } }))
           },
           c
         )),
         T(
-          V,
+          E,
           {
             label: "Scale",
             quantity: "number",
@@ -1815,7 +1815,7 @@ function yl() {
       T("span", { children: i }),
       T(Re, { label: i, name: `${t.name}: ${i.toLowerCase()}`, value: t[p], text: zn(t[p], 2), patch: (u) => ({ materials: { [e]: { [p]: Math.round(u * 1e3) / 1e3 } } }) })
     ] }),
-    T(V, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[p], set: (u) => n(i.toLowerCase(), { [p]: Math.max(0, Math.min(1, u(t[p]))) }) })
+    T(E, { label: "", name: `${i}, typed`, quantity: "share", step: 0.01, value: t[p], set: (u) => n(i.toLowerCase(), { [p]: Math.max(0, Math.min(1, u(t[p]))) }) })
   ] });
   return j(Qn, { children: [
     T("header", { class: "panel-head", children: T("h2", { children: t.name }) }),
@@ -1826,10 +1826,10 @@ function yl() {
           T("span", { children: t.transmittance ? "Transmittance" : "Reflectance" }),
           T(Re, { label: t.transmittance ? "Transmittance" : "Reflectance", name: `${t.name}: ${t.transmittance ? "transmittance" : "reflectance"}`, value: r, text: zn(r, 2), patch: (i) => ({ materials: { [e]: { [a]: s(Math.min(0.95, i)) } } }) })
         ] }),
-        T(V, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [a]: s(Math.min(0.98, i(r))) }) }),
+        T(E, { label: "", name: "Reflectance, typed", quantity: "share", step: 0.01, value: Math.round(r * 1e3) / 1e3, set: (i) => n("reflectance", { [a]: s(Math.min(0.98, i(r))) }) }),
         j("label", { class: "line", children: [
           T("span", { children: "Colour" }),
-          T("input", { type: "color", class: "pick", "aria-label": "Colour", value: zu(o), onChange: (i) => n("colour", { [a]: Yu(i.currentTarget.value) }) })
+          T("input", { type: "color", class: "pick", "aria-label": "Colour", value: ju(o), onChange: (i) => n("colour", { [a]: zu(i.currentTarget.value) }) })
         ] }),
         c("Roughness", "roughness"),
         c("Gloss", "specular")
@@ -1841,8 +1841,8 @@ function yl() {
 
 // src/later/inspector.tsx
 import { Fragment as wl, jsx as N, jsxs as Jt } from "./desk.js";
-var rt = ["Scene", "Things", "Materials", "History"], ge = Ju("Scene");
-function ec() {
+var rt = ["Scene", "Things", "Materials", "History"], ge = ec("Scene");
+function tc() {
   let e = { Scene: rl, Things: sl, Materials: ul, History: cl }[ge.value];
   return Jt(wl, { children: [
     N("div", { class: "tabs", role: "tablist", "aria-label": "Nothing is selected", onKeyDown: (n) => {
@@ -1852,15 +1852,15 @@ function ec() {
     N("div", { class: "scroll", id: "tab-panel", role: "tabpanel", "aria-labelledby": `tab-${ge.value}`, tabIndex: 0, children: N(e, {}) })
   ] });
 }
-function tc() {
-  let e = Qu.value;
+function nc() {
+  let e = Ju.value;
   return e ? Jt(wl, { children: [
     Jt("nav", { class: "chooser", "aria-label": "Selection", children: [
       N("button", { class: "icon", "aria-label": "Previous", title: "Previous ([)", onClick: () => kl("previous"), children: N(Jn, { name: "back" }) }),
       N("button", { class: "icon", "aria-label": "Next", title: "Next (])", onClick: () => kl("next"), children: N(Jn, { name: "forth" }) }),
       N("span", { class: "quiet", children: e.ids.length > 1 ? `${e.ids.length} ${e.kind}s` : e.kind }),
       N("span", { class: "gap" }),
-      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Zu, children: N(Jn, { name: "close" }) })
+      N("button", { class: "icon", "aria-label": "Select nothing", title: "Select nothing (Esc)", onClick: Qu, children: N(Jn, { name: "close" }) })
     ] }),
     ea.value && N("p", { class: "penless", children: ea.value }),
     Jt("fieldset", { class: "editing", disabled: ea.value !== null, children: [
@@ -1870,54 +1870,54 @@ function tc() {
       e.kind === "meter" && N(Ao, {}),
       e.kind === "grid" && N(qo, {})
     ] })
-  ] }) : N(ec, {});
+  ] }) : N(tc, {});
 }
 
 // src/later/sheets.tsx
 import {
   allActions as aa,
   act as Tl,
-  ask as mc,
-  command as dc,
-  copyText as hc,
-  digits as fc,
-  go as gc,
-  hear as bc,
-  lamps as vc,
+  ask as dc,
+  command as hc,
+  copyText as fc,
+  digits as gc,
+  go as bc,
+  hear as vc,
+  lamps as yc,
   say as an,
-  select as yc,
+  select as kc,
   send as tn,
   sheet as st,
-  shown as kc,
+  shown as wc,
   signal as ut,
   useEffect as oa,
-  useLayoutEffect as wc,
+  useLayoutEffect as xc,
   useRef as on,
-  walkNames as xc,
-  whyNotTo as Mc
+  walkNames as Mc,
+  whyNotTo as Sc
 } from "./desk.js";
 
 // src/later/csv.ts
-import { gridPoint as nc, grids as ac, maintenance as oc, meters as lc, scene as xl } from "./desk.js";
-var rc = (e) => {
+import { gridPoint as ac, grids as oc, maintenance as lc, meters as rc, scene as xl } from "./desk.js";
+var ic = (e) => {
   let t = e == null ? "" : String(e);
   return /[",\n]/.test(t) ? `"${t.replace(/"/g, '""')}"` : t;
 };
-function ic() {
-  let e = oc.peek(), t = [["scene", xl.peek()?.name ?? ""], ["maintenance factor", e], []];
+function sc() {
+  let e = lc.peek(), t = [["scene", xl.peek()?.name ?? ""], ["maintenance factor", e], []];
   t.push(["meter", "kind", "x [m]", "y [m]", "z [m]", "lux", "± (95 %)"]);
-  for (let [, n] of lc.all())
+  for (let [, n] of rc.all())
     t.push([n.name, n.kind, ...n.point, n.lux && n.lux[0] * e, n.lux && n.lux[1] * e]);
-  for (let [, n] of ac.all()) {
+  for (let [, n] of oc.all()) {
     t.push([], ["grid", n.name], ["points", n.columns * n.rows]);
     let a = { mean: n.mean, min: n.min, max: n.max };
     for (let [o, l] of Object.entries(a)) t.push([o, l == null ? null : l * e]);
     t.push(["uniformity", n.uniformity], ["x [m]", "y [m]", "z [m]", "lux"]), (n.lux ?? []).forEach((o, l) => {
-      let r = nc(n, l % n.columns, Math.floor(l / n.columns));
+      let r = ac(n, l % n.columns, Math.floor(l / n.columns));
       t.push([...r.map((s) => s.toFixed(3)), o === null ? null : o * e]);
     });
   }
-  return t.map((n) => n.map(rc).join(",")).join(`\r
+  return t.map((n) => n.map(ic).join(",")).join(`\r
 `) + `\r
 `;
 }
@@ -1926,7 +1926,7 @@ function ta(e, t) {
   n.href = t, n.download = e, document.body.append(n), n.click(), n.remove();
 }
 function Ml() {
-  let e = URL.createObjectURL(new Blob([ic()], { type: "text/csv" }));
+  let e = URL.createObjectURL(new Blob([sc()], { type: "text/csv" }));
   ta(`${xl.peek()?.name ?? "figures"}.csv`, e), setTimeout(() => URL.revokeObjectURL(e), 1e4);
 }
 
@@ -1935,7 +1935,7 @@ var $l = [[19, 7, 1], [34, 10, 1], [55, 15, 1], [80, 20, 1], [108, 26, 1], [136,
 for (let e = 0, t = 1; e < 255; e++)
   en[e] = en[e + 255] = t, na[t] = e, t = t << 1 ^ (t & 128 ? 285 : 0);
 var Sl = (e, t) => e && t ? en[na[e] + na[t]] : 0;
-function sc(e, t) {
+function uc(e, t) {
   let n = [1];
   for (let o = 0; o < t; o++) {
     let l = new Array(n.length + 1).fill(0);
@@ -1950,7 +1950,7 @@ function sc(e, t) {
   }
   return a.slice(e.length);
 }
-function uc(e, t) {
+function cc(e, t) {
   let [n, a, o] = $l[t - 1], l = [], r = (b, d) => {
     for (let m = d - 1; m >= 0; m--) l.push(b >> m & 1);
   };
@@ -1958,10 +1958,10 @@ function uc(e, t) {
   let s = [];
   for (let b = 0; b < l.length; b += 8) s.push(parseInt(l.slice(b, b + 8).join(""), 2));
   for (let b = 236; s.length < n; b ^= 253) s.push(b);
-  let c = n / o, i = Array.from({ length: o }, (b, d) => s.slice(d * c, (d + 1) * c)), p = i.map((b) => sc(b, a)), u = (b) => b[0].flatMap((d, m) => b.map((f) => f[m]));
+  let c = n / o, i = Array.from({ length: o }, (b, d) => s.slice(d * c, (d + 1) * c)), p = i.map((b) => uc(b, a)), u = (b) => b[0].flatMap((d, m) => b.map((f) => f[m]));
   return [...u(i), ...u(p)];
 }
-var cc = [
+var pc = [
   (e, t) => (e + t) % 2 === 0,
   (e, t) => t % 2 === 0,
   (e) => e % 3 === 0,
@@ -1971,7 +1971,7 @@ var cc = [
   (e, t) => (e * t % 2 + e * t % 3) % 2 === 0,
   (e, t) => ((e + t) % 2 + e * t % 3) % 2 === 0
 ];
-function pc(e) {
+function mc(e) {
   let t = 8 | e, n = t << 10;
   for (let a = 14; a >= 10; a--) n >> a & 1 && (n ^= 1335 << a - 10);
   return (t << 10 | n) ^ 21522;
@@ -2013,7 +2013,7 @@ function Ll(e) {
     for (let m = -2; m <= 2; m++) for (let f = -2; f <= 2; f++) r(d + f, d + m, Math.max(Math.abs(f), Math.abs(m)) !== 1);
   }
   let s = (d) => {
-    let m = pc(d);
+    let m = mc(d);
     for (let f = 0; f < 15; f++) {
       let S = (m >> f & 1) === 1, H = f < 6 ? f : f < 8 ? f + 1 : a - 15 + f;
       r(8, H, S), r(f < 8 ? a - 1 - f : f < 9 ? 7 : 14 - f, 8, S);
@@ -2021,7 +2021,7 @@ function Ll(e) {
     r(8, a - 8, !0);
   };
   s(0);
-  let c = uc(t, n), i = 0;
+  let c = cc(t, n), i = 0;
   for (let d = a - 1; d > 0; d -= 2) {
     d === 6 && (d = 5);
     for (let m = 0; m < a; m++)
@@ -2030,7 +2030,7 @@ function Ll(e) {
         l[H][f] || (o[H][f] = i < c.length * 8 && (c[i >> 3] >> 7 - (i & 7) & 1) === 1, i++);
       }
   }
-  let p = (d) => (s(d), o.map((m, f) => m.map((S, H) => S !== (!l[f][H] && cc[d](H, f))))), u = p(0), b = Cl(u);
+  let p = (d) => (s(d), o.map((m, f) => m.map((S, H) => S !== (!l[f][H] && pc[d](H, f))))), u = p(0), b = Cl(u);
   for (let d = 1; d < 8; d++) {
     let m = p(d), f = Cl(m);
     f < b && ([u, b] = [m, f]);
@@ -2039,10 +2039,10 @@ function Ll(e) {
 }
 
 // src/later/sheets.tsx
-import { Fragment as Ac, jsx as g, jsxs as P } from "./desk.js";
+import { Fragment as qc, jsx as g, jsxs as P } from "./desk.js";
 function ct({ title: e, wide: t, children: n }) {
   let a = on(null);
-  wc(() => {
+  xc(() => {
     let l = a.current, r = document.activeElement;
     return l.open || l.showModal(), () => r?.focus();
   }, []);
@@ -2066,7 +2066,7 @@ function ct({ title: e, wide: t, children: n }) {
     }
   );
 }
-var Sc = [
+var Cc = [
   ["Look around", "right or left drag", "arrows", "one finger"],
   ["Walk, up and down", "", "walking keys, Q E; Shift fast, Alt slow", "pad at the left"],
   ["Orbit about a point", "middle or Alt+left drag", "Shift+arrows", ""],
@@ -2080,7 +2080,7 @@ var Sc = [
   ["Default level", "double click on the fader", "", ""],
   ["Leave what is open", "", "Esc", ""]
 ];
-function Cc() {
+function $c() {
   let e = [...new Set(aa().map((t) => t.group))];
   return g(ct, { title: "All keys", wide: !0, children: P("div", { class: "help", children: [
     P("table", { children: [
@@ -2091,17 +2091,17 @@ function Cc() {
         g("th", { scope: "col", children: "Keys, in the view" }),
         g("th", { scope: "col", children: "Fingers" })
       ] }) }),
-      g("tbody", { children: Sc.map(([t, n, a, o]) => P("tr", { children: [
+      g("tbody", { children: Cc.map(([t, n, a, o]) => P("tr", { children: [
         g("th", { scope: "row", children: t }),
         g("td", { children: n }),
-        g("td", { children: a.replace("walking keys", xc.value) }),
+        g("td", { children: a.replace("walking keys", Mc.value) }),
         g("td", { children: o })
       ] }, t)) })
     ] }),
     P("div", { class: "columns", children: [
       e.map((t) => P("section", { children: [
         g("h3", { children: t }),
-        g("dl", { children: aa().filter((n) => n.group === t && n.keys).map((n) => P(Ac, { children: [
+        g("dl", { children: aa().filter((n) => n.group === t && n.keys).map((n) => P(qc, { children: [
           g("dt", { children: n.label }),
           g("dd", { children: g("kbd", { children: n.keys }) })
         ] })) })
@@ -2123,19 +2123,19 @@ function Cc() {
   ] }) });
 }
 var nn = ut(""), it = ut(0);
-function $c() {
-  let e = nn.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = aa().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: Mc(a.id), run: () => Tl(a.id) }));
+function Lc() {
+  let e = nn.value.toLowerCase().split(/\s+/).filter(Boolean), t = (a) => e.every((o) => a.toLowerCase().includes(o)), n = aa().filter((a) => t(`${a.group} ${a.label}`)).map((a) => ({ label: a.label, note: a.keys ?? a.group, why: Sc(a.id), run: () => Tl(a.id) }));
   for (let { name: a, camera: o } of qt())
-    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => gc(o, a) });
+    t(`view ${a}`) && n.push({ label: `View: ${a}`, note: "view", why: null, run: () => bc(o, a) });
   if (e.length)
-    for (let [a, o] of vc.all()) {
+    for (let [a, o] of yc.all()) {
       if (n.length > 60) break;
-      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => yc("lamp", a) });
+      t(o.name) && n.push({ label: o.name, note: "lamp", why: null, run: () => kc("lamp", a) });
     }
   return n.slice(0, 60);
 }
-function Lc() {
-  let e = $c(), t = Math.min(it.value, e.length - 1);
+function Tc() {
+  let e = Lc(), t = Math.min(it.value, e.length - 1);
   oa(() => {
     nn.value = "", it.value = 0;
   }, []), oa(() => {
@@ -2191,8 +2191,8 @@ function Lc() {
   ] });
 }
 var Pl = ut([]);
-bc("links", (e) => Pl.value = e.links);
-function Tc({ text: e }) {
+vc("links", (e) => Pl.value = e.links);
+function Pc({ text: e }) {
   let t = Ll(e);
   if (!t) return null;
   let n = t.length + 8, a = t.map((o, l) => o.map((r, s) => r ? `M${s + 4} ${l + 4}h1v1h-1z` : "").join("")).join("");
@@ -2201,7 +2201,7 @@ function Tc({ text: e }) {
     g("path", { d: a, fill: "#000" })
   ] });
 }
-function Pc() {
+function Ec() {
   let e = ut(null), t = on(e).current;
   return oa(() => {
     tn({ do: "links", what: "list" });
@@ -2212,12 +2212,12 @@ function Pc() {
       g("code", { children: n.address }),
       P("span", { class: "buttons", children: [
         g("button", { onClick: () => {
-          hc(n.address);
+          fc(n.address);
         }, children: "Copy" }),
         g("button", { "aria-expanded": t.value === n.id, onClick: () => t.value = t.value === n.id ? null : n.id, children: "Code" }),
         g("button", { onClick: () => tn({ do: "links", what: "revoke", id: n.id }), children: "Revoke" })
       ] }),
-      t.value === n.id && g(Tc, { text: n.address })
+      t.value === n.id && g(Pc, { text: n.address })
     ] }, n.id)) }),
     P("footer", { children: [
       g("button", { onClick: () => tn({ do: "links", what: "make", role: "watch" }), children: "New link to watch" }),
@@ -2229,7 +2229,7 @@ function Vc() {
   let e = on(null), t = () => {
     let n = e.current?.value.trim();
     if (!n) return e.current?.focus();
-    dc({ do: "save", name: n }), st.value = null, an(`Saving the version “${n}”.`);
+    hc({ do: "save", name: n }), st.value = null, an(`Saving the version “${n}”.`);
   };
   return P(ct, { title: "Save a version", children: [
     g("p", { class: "quiet", children: "Every edit is saved by itself. A version with a name is kept beside." }),
@@ -2241,11 +2241,11 @@ function Vc() {
   ] });
 }
 var ne = ut(null);
-function Ec() {
-  let e = kc.value?.head, t = on(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
+function Ic() {
+  let e = wc.value?.head, t = on(null), n = (o) => t.current?.querySelector(`[name=${o}]`)?.value ?? "", a = () => {
     ne.value = 0;
     let [o, l] = [Number(n("width")), Number(n("height"))];
-    mc("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
+    dc("picture", { format: n("format"), width: o, height: l, batches: Number(n("batches")) }, (r) => {
       r.why ? (ne.value = null, an(r.why, "warn")) : r.url ? (ne.value = null, ta(r.name, r.url), st.value = null) : ne.value = r.progress ?? 0;
     }, (r) => {
       ne.value = null, an(r, "warn");
@@ -2276,31 +2276,31 @@ function Ec() {
     ne.value !== null && g("progress", { max: 1, value: ne.value, "aria-label": "Rendering" }),
     P("footer", { children: [
       g("button", { onClick: () => Tl("command"), children: "Copy the command" }),
-      g("button", { disabled: ne.value !== null, onClick: a, children: ne.value === null ? "Render and save" : ne.value ? `${fc(ne.value * 100)} %` : "Rendering…" })
+      g("button", { disabled: ne.value !== null, onClick: a, children: ne.value === null ? "Render and save" : ne.value ? `${gc(ne.value * 100)} %` : "Rendering…" })
     ] })
   ] });
 }
-function Ic() {
+function Ac() {
   switch (st.value) {
     case "help":
-      return g(Cc, {});
+      return g($c, {});
     case "palette":
-      return g(Lc, {});
+      return g(Tc, {});
     case "share":
-      return g(Pc, {});
+      return g(Ec, {});
     case "save":
       return g(Vc, {});
     case "picture":
-      return g(Ec, {});
+      return g(Ic, {});
     default:
       return null;
   }
 }
 
 // src/later/sheetrow.tsx
-import { act as qc, colorText as Vl, cost as Rc, css as Fc, LevelField as Hc, listed as Nc, pickRow as Dc, Power as Gc, select as Oc, three as Wc } from "./desk.js";
+import { act as Rc, colorText as El, cost as Fc, css as Hc, LevelField as Nc, listed as Dc, pickRow as Gc, Power as Oc, select as Wc, three as Kc } from "./desk.js";
 import { jsx as J, jsxs as la } from "./desk.js";
-function Kc() {
+function Bc() {
   return la("div", { class: "sheet-row head", "aria-hidden": "true", children: [
     J("span", {}),
     J("span", { children: "Name" }),
@@ -2309,18 +2309,18 @@ function Kc() {
     J("span", { children: "White" })
   ] });
 }
-function Bc({ row: e, index: t, count: n }) {
-  let a = Nc(e, t, n);
+function Uc({ row: e, index: t, count: n }) {
+  let a = Dc(e, t, n);
   if (!a) return null;
   let { lamp: o, entry: l } = a;
   return la("div", { class: `sheet-row ${a.state}`, ...a.frame, children: [
-    J(Gc, { of: a }),
-    J("button", { class: "row-name", "aria-pressed": a.selected, title: o ? Rc(o) : void 0, onClick: (r) => Dc(r, e.kind, e.id), onDblClick: () => qc("frame"), children: J("span", { children: l.name }) }),
-    J(Hc, { of: a, label: "level" }),
-    J("span", { class: "lumens", children: Wc(a.lumens) }),
-    o ? la("button", { class: "tint", "aria-label": `${l.name} colour: ${Vl(o)}`, onClick: () => Oc("lamp", e.id), children: [
-      J("i", { class: "swatch", style: { background: Fc(o.swatch) } }),
-      Vl(o)
+    J(Oc, { of: a }),
+    J("button", { class: "row-name", "aria-pressed": a.selected, title: o ? Fc(o) : void 0, onClick: (r) => Gc(r, e.kind, e.id), onDblClick: () => Rc("frame"), children: J("span", { children: l.name }) }),
+    J(Nc, { of: a, label: "level" }),
+    J("span", { class: "lumens", children: Kc(a.lumens) }),
+    o ? la("button", { class: "tint", "aria-label": `${l.name} colour: ${El(o)}`, onClick: () => Wc("lamp", e.id), children: [
+      J("i", { class: "swatch", style: { background: Hc(o.swatch) } }),
+      El(o)
     ] }) : J("span", {})
   ] });
 }
@@ -2330,31 +2330,31 @@ import {
   act as ra,
   command as Hl,
   digits as ia,
-  display as Uc,
+  display as _c,
   fade as ln,
   Field as Nl,
-  grids as El,
+  grids as Vl,
   Icon as Ke,
   looks as Il,
   luxText as Al,
   maintained as We,
-  maintenance as _c,
+  maintenance as Xc,
   meters as ql,
   select as Rl,
   selection as rn,
-  show as Xc,
-  signal as Yc,
-  signed as zc,
-  storeLook as jc
+  show as Yc,
+  signal as zc,
+  signed as jc,
+  storeLook as Zc
 } from "./desk.js";
-import { Fragment as tp, jsx as x, jsxs as F } from "./desk.js";
-var sa = Yc("looks");
-function Zc() {
+import { Fragment as np, jsx as x, jsxs as F } from "./desk.js";
+var sa = zc("looks");
+function Qc() {
   return F("section", { class: "looks", "aria-label": "Looks", children: [
     F("header", { children: [
       x("h2", { children: "Looks" }),
       x("button", { class: "tab", onClick: () => sa.value = "meters", children: "Meters" }),
-      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: jc, children: x(Ke, { name: "plus" }) }),
+      x("button", { class: "icon", "aria-label": "Store a look", title: "Store a look (Ctrl+Enter)", onClick: Zc, children: x(Ke, { name: "plus" }) }),
       x("span", { class: "gap" }),
       F("label", { class: "tint", children: [
         "Fade",
@@ -2367,20 +2367,20 @@ function Zc() {
           t.picture && x("img", { src: t.picture, alt: t.name, width: 96, height: 72 }),
           x("span", { "aria-hidden": t.picture ? "true" : void 0, children: t.name })
         ] }),
-        x(Qc, { id: e, name: t.name })
+        x(Jc, { id: e, name: t.name })
       ] }, e)),
       !Il.ids.value.length && x("li", { class: "quiet", children: "Levels, colours, on and off, kept under a name: + stores what is set now." })
     ] })
   ] });
 }
-function Qc({ id: e, name: t }) {
+function Jc({ id: e, name: t }) {
   let n = `look-${e}`, a = (c) => {
     let i = c.getBoundingClientRect(), p = document.getElementById(n);
     p?.style.setProperty("left", `${Math.min(i.left, innerWidth - 296)}px`), p?.style.setProperty("bottom", `${innerHeight - i.top + 4}px`), p?.style.setProperty("top", "auto");
-  }, o = Uc.value.false_color?.against === e, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), s = (c, i = {}) => {
+  }, o = _c.value.false_color?.against === e, l = { popovertarget: n }, r = () => document.getElementById(n)?.hidePopover(), s = (c, i = {}) => {
     r(), Hl({ do: "look", id: e, what: c, ...i });
   };
-  return F(tp, { children: [
+  return F(np, { children: [
     x("button", { class: "icon more", ...l, "aria-label": `More of ${t}`, onPointerDown: (c) => a(c.currentTarget), onFocus: (c) => a(c.currentTarget), children: x(Ke, { name: "more" }) }),
     F("div", { id: n, popover: "auto", class: "menu", children: [
       F("label", { class: "line", children: [
@@ -2394,7 +2394,7 @@ function Qc({ id: e, name: t }) {
         {
           class: "item",
           onClick: () => {
-            r(), Xc({ false_color: o ? null : ft(e) });
+            r(), Yc({ false_color: o ? null : ft(e) });
           },
           children: x("span", { children: o ? "End the difference" : "Difference to now" })
         }
@@ -2403,9 +2403,9 @@ function Qc({ id: e, name: t }) {
     ] })
   ] });
 }
-var Fl = (e, t) => e == null ? "" : ` · Δ ${zc(e * t)}`;
-function Jc() {
-  let e = _c.value;
+var Fl = (e, t) => e == null ? "" : ` · Δ ${jc(e * t)}`;
+function ep() {
+  let e = Xc.value;
   return F("section", { class: "readings", "aria-label": "Meters and grids", children: [
     F("header", { children: [
       x("h2", { children: "Meters" }),
@@ -2441,7 +2441,7 @@ function Jc() {
           ] })
         ] }) }, `m${t}`);
       }),
-      El.all().map(([t, n]) => {
+      Vl.all().map(([t, n]) => {
         let a = n.target;
         return x("li", { children: F("button", { class: "reading", "aria-pressed": rn.value?.kind === "grid" && rn.value.ids.includes(t), onClick: () => Rl("grid", t), children: [
           F("span", { class: "tint", children: [
@@ -2464,14 +2464,14 @@ function Jc() {
           ] })
         ] }) }, `g${t}`);
       }),
-      !ql.ids.value.length && !El.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
+      !ql.ids.value.length && !Vl.ids.value.length && x("li", { class: "quiet", children: "P lays a meter under the pointer." })
     ] })
   ] });
 }
-function ep() {
+function tp() {
   return F("div", { class: "strip-parts", "data-tab": sa.value, children: [
-    x(Zc, {}),
-    x(Jc, {})
+    x(Qc, {}),
+    x(ep, {})
   ] });
 }
 
@@ -2479,15 +2479,15 @@ function ep() {
 import {
   camera as Ol,
   digits as Wl,
-  display as np,
+  display as ap,
   Field as un,
   go as Kl,
   houseLights as ua,
   Item as Te,
-  Range as ap,
+  Range as op,
   show as ca,
   theme as Dl,
-  walking as op
+  walking as lp
 } from "./desk.js";
 import { Fragment as cn, jsx as $, jsxs as ae } from "./desk.js";
 var sn = Math.PI / 360;
@@ -2495,7 +2495,7 @@ function Gl(e) {
   let t = Ol.peek();
   t && Kl({ ...t, fov: Math.max(3, Math.min(140, e)) });
 }
-function lp() {
+function rp() {
   let e = Ol.value, t = qt();
   return ae(cn, { children: [
     ["home", "frame", "inside", "back", "forth", "store-view"].map((n) => $(Te, { id: n }, n)),
@@ -2516,18 +2516,18 @@ function lp() {
       ] }),
       $("hr", {})
     ] }),
-    $(Te, { id: "walking", label: op.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
+    $(Te, { id: "walking", label: lp.value === "walk" ? "Walking; fly instead" : "Flying; walk instead" }),
     $(Te, { id: "from-lamp" }),
     ["default", "blender", "maya", "trackpad"].map((n) => $(Te, { id: `hands-${n}` }, n))
   ] });
 }
-var rp = ["linear", "reinhard", "filmic"];
-function ip() {
-  let e = np.value, t = e.white ?? { kelvin: 6500, tint: 0 };
+var ip = ["linear", "reinhard", "filmic"];
+function sp() {
+  let e = ap.value, t = e.white ?? { kelvin: 6500, tint: 0 };
   return ae(cn, { children: [
     ae("fieldset", { children: [
       $("legend", { children: "Tone curve" }),
-      $("div", { class: "segments", children: rp.map((n) => $("button", { "aria-pressed": e.tone === n, onClick: () => ca({ tone: n }), children: n }, n)) })
+      $("div", { class: "segments", children: ip.map((n) => $("button", { "aria-pressed": e.tone === n, onClick: () => ca({ tone: n }), children: n }, n)) })
     ] }),
     ae("fieldset", { children: [
       $("legend", { children: "White balance" }),
@@ -2544,11 +2544,11 @@ function ip() {
     ["expose", "darker", "brighter", "false-colour", "quantity", "clamped", "units", "marks", "fine", "picture", "command"].map((n) => $(Te, { id: n }, n))
   ] });
 }
-function sp() {
+function up() {
   return ae(cn, { children: [
     ae("label", { class: "line", children: [
       $("span", { children: "House lights" }),
-      $(ap, { label: "House lights", value: ua.value, text: `${Wl(ua.value * 100)} %`, on: (e) => ua.value = Math.max(0.3, e) })
+      $(op, { label: "House lights", value: ua.value, text: `${Wl(ua.value * 100)} %`, on: (e) => ua.value = Math.max(0.3, e) })
     ] }),
     $("div", { class: "segments", role: "group", "aria-label": "Theme", children: ["dark", "light", "system"].map((e) => $("button", { "aria-pressed": Dl.value === e, onClick: () => Dl.value = e, children: e }, e)) }),
     $("hr", {}),
@@ -2557,11 +2557,11 @@ function sp() {
 }
 
 // src/later/views.tsx
-import { act as pn, cut as up, digits as Bl, edit as Ul, go as cp, Icon as pt, Range as pp, setCut as mp, signal as dp, storeView as hp, viewName as fp, views as gp } from "./desk.js";
+import { act as pn, cut as cp, digits as Bl, edit as Ul, go as pp, Icon as pt, Range as mp, setCut as dp, signal as hp, storeView as fp, viewName as gp, views as bp } from "./desk.js";
 import { jsx as W, jsxs as pa } from "./desk.js";
-var mn = dp(null);
-function bp() {
-  let e = gp.all();
+var mn = hp(null);
+function vp() {
+  let e = bp.all();
   return pa("nav", { class: "view-strip", "aria-label": "Views", "data-scroll": !0, children: [
     W("button", { class: "icon", "aria-label": "Home", title: "Home", onClick: () => pn("home"), children: W(pt, { name: "home" }) }),
     W("button", { class: "icon", "aria-label": "Frame the selection", title: "Frame the selection (F)", onClick: () => pn("frame"), children: W(pt, { name: "frame" }) }),
@@ -2588,9 +2588,9 @@ function bp() {
       "button",
       {
         class: "saved-view",
-        "aria-pressed": fp.value === n.name,
+        "aria-pressed": gp.value === n.name,
         title: `${n.name ?? "View"} (Alt+${a + 1}); double click or F2 renames, Delete removes`,
-        onClick: () => cp(n, n.name ?? "view"),
+        onClick: () => pp(n, n.name ?? "view"),
         onDblClick: () => mn.value = t,
         onKeyDown: (o) => {
           o.key === "F2" && (mn.value = t), o.key === "Delete" && (o.stopPropagation(), Ul(`Remove the view ${n.name ?? ""}`, { views: { [t]: null } }));
@@ -2603,22 +2603,22 @@ function bp() {
       },
       t
     )),
-    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: hp, children: W(pt, { name: "plus" }) })
+    W("button", { class: "icon", "aria-label": "Store this view", title: "Store this view (Alt+0)", onClick: fp, children: W(pt, { name: "plus" }) })
   ] });
 }
-function vp() {
-  let e = up.value;
+function yp() {
+  let e = cp.value;
   if (!e) return null;
   let t = e.height === null ? `${Bl(e.value, 2)} m` : `at ${Bl(e.height, 2)} m`;
   return pa("label", { class: "cut", "data-scroll": !0, children: [
     W("span", { children: "Cut" }),
     W(
-      pp,
+      mp,
       {
         label: "Cut, from the side of the eye",
         value: e.value / e.most,
         text: t,
-        on: (n) => mp(n * e.most)
+        on: (n) => dp(n * e.most)
       }
     ),
     W("output", { children: t })
@@ -2626,16 +2626,16 @@ function vp() {
 }
 
 // src/later/walkpad.tsx
-import { padWalk as yp, useRef as kp } from "./desk.js";
+import { padWalk as kp, useRef as wp } from "./desk.js";
 import { jsx as _l } from "./desk.js";
-function wp() {
-  let e = kp(null), t = (n) => {
+function xp() {
+  let e = wp(null), t = (n) => {
     let a = n.currentTarget;
     n.stopPropagation(), n.type === "pointerdown" && a.setPointerCapture(n.pointerId);
     let o = n.type === "pointerup" || n.type === "pointercancel";
     if (!o && !a.hasPointerCapture(n.pointerId)) return;
     let l = a.getBoundingClientRect(), r = (i) => Math.max(-1, Math.min(1, i)), s = o ? 0 : r((n.clientX - l.left) / (l.width / 2) - 1), c = o ? 0 : r(1 - (n.clientY - l.top) / (l.height / 2));
-    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-c * 28}px)`), yp(c, s);
+    e.current?.style.setProperty("transform", `translate(${s * 28}px, ${-c * 28}px)`), kp(c, s);
   };
   return _l("div", { class: "walkpad", "aria-hidden": "true", onPointerDown: t, onPointerMove: t, onPointerUp: t, onPointerCancel: t, children: _l("span", { ref: e }) });
 }
@@ -2644,26 +2644,26 @@ function wp() {
 import {
   chosenLamps as Xl,
   closeWhat as Yl,
-  digits as xp,
+  digits as Mp,
   hovered as zl,
-  Icon as Mp,
-  lamps as Sp,
+  Icon as Sp,
+  lamps as Cp,
   maintained as be,
-  nameOf as Cp,
-  select as $p,
-  useEffect as Lp,
-  useRef as Tp,
-  viewSize as Pp,
+  nameOf as $p,
+  select as Lp,
+  useEffect as Tp,
+  useRef as Pp,
+  viewSize as Ep,
   what as Vp
 } from "./desk.js";
 import { jsx as U, jsxs as le } from "./desk.js";
-var Pe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Ep = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
-function Ip() {
-  let e = Vp.value, t = Tp(null);
-  if (Lp(() => {
+var Pe = (e) => e.direct[0] + e.indirect[0] + e.caustic[0], Ip = (e) => Math.hypot(e.direct[1], e.indirect[1], e.caustic[1]);
+function Ap() {
+  let e = Vp.value, t = Pp(null);
+  if (Tp(() => {
     e && t.current && !t.current.contains(document.activeElement) && t.current.focus();
   }, [e?.x, e?.y]), !e) return null;
-  let [n, a] = Pp.value, o = [...e.lamps].sort((u, b) => Pe(b) - Pe(u)), l = o.reduce((u, b) => u + Pe(b), 0) || 1, r = o.slice(0, 9), s = l - r.reduce((u, b) => u + Pe(b), 0), c = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * r.length)), p = e.lux ? `${be(e.lux[0])} ±${be(e.lux[1], !1)}` : "Measuring…";
+  let [n, a] = Ep.value, o = [...e.lamps].sort((u, b) => Pe(b) - Pe(u)), l = o.reduce((u, b) => u + Pe(b), 0) || 1, r = o.slice(0, 9), s = l - r.reduce((u, b) => u + Pe(b), 0), c = Math.max(8, Math.min(e.x + 12, n - 332)), i = Math.max(8, Math.min(e.y + 12, a - 150 - 35 * r.length)), p = e.lux ? `${be(e.lux[0])} ±${be(e.lux[1], !1)}` : "Measuring…";
   return le(
     "div",
     {
@@ -2681,7 +2681,7 @@ function Ip() {
         le("header", { children: [
           U("strong", { class: e.done ? "" : "unsettled", children: p }),
           U("span", { class: "quiet", children: "what lights this" }),
-          U("button", { class: "icon", "aria-label": "Close", onClick: Yl, children: U(Mp, { name: "close" }) })
+          U("button", { class: "icon", "aria-label": "Close", onClick: Yl, children: U(Sp, { name: "close" }) })
         ] }),
         le("ol", { children: [
           r.map((u) => U(
@@ -2689,16 +2689,16 @@ function Ip() {
             {
               onPointerEnter: () => zl.value = { kind: "lamp", id: u.id },
               onPointerLeave: () => zl.value = null,
-              children: le("button", { class: "row", onClick: () => $p("lamp", u.id), children: [
-                U("span", { class: "name", children: Cp("lamp", u.id) }),
+              children: le("button", { class: "row", onClick: () => Lp("lamp", u.id), children: [
+                U("span", { class: "name", children: $p("lamp", u.id) }),
                 le("span", { class: "figure", children: [
-                  xp(100 * Pe(u) / l, Pe(u) / l < 0.0995 ? 1 : 0),
+                  Mp(100 * Pe(u) / l, Pe(u) / l < 0.0995 ? 1 : 0),
                   " %"
                 ] }),
                 le("span", { class: "figure lux", children: [
                   be(Pe(u)),
                   " ±",
-                  be(Ep(u), !1)
+                  be(Ip(u), !1)
                 ] }),
                 le("span", { class: "shares", "aria-hidden": "true", children: [
                   U("i", { class: "direct", style: { width: `${100 * u.direct[0] / l}%` } }),
@@ -2730,7 +2730,7 @@ function Ip() {
           U("span", { class: "key indirect", children: "indirect" }),
           U("span", { class: "key caustic", children: "caustic" }),
           U("span", { class: "gap" }),
-          Xl.value.some((u) => Sp.get(u)?.place?.direction) && U("button", { onClick: () => ze(Xl.peek(), e.hit.point), children: "Aim here" }),
+          Xl.value.some((u) => Cp.get(u)?.place?.direction) && U("button", { onClick: () => ze(Xl.peek(), e.hit.point), children: "Aim here" }),
           U("button", { onClick: () => Ze(e.hit.point, e.hit.normal), children: "Meter here" })
         ] })
       ]
@@ -2738,20 +2738,20 @@ function Ip() {
   );
 }
 export {
-  Os as Compare,
-  vp as CutBar,
-  Si as Gizmo,
-  tc as Inspector,
+  Ws as Compare,
+  yp as CutBar,
+  Ci as Gizmo,
+  nc as Inspector,
   rr as Legend,
-  sp as PageItems,
-  ip as SeeingItems,
-  Kc as SheetHead,
-  Bc as SheetRow,
-  Ic as Sheets,
-  ep as Strip,
-  Wi as TypedHint,
-  lp as ViewItems,
-  bp as ViewStrip,
-  wp as WalkPad,
-  Ip as What
+  up as PageItems,
+  sp as SeeingItems,
+  Bc as SheetHead,
+  Uc as SheetRow,
+  Ac as Sheets,
+  tp as Strip,
+  Ki as TypedHint,
+  rp as ViewItems,
+  vp as ViewStrip,
+  xp as WalkPad,
+  Ap as What
 };

@@ -10,6 +10,9 @@ import { between, floorLevel } from './area';
 
 let corner: Hit | null = null;
 
+/** How long an answer may take on a busy machine [ms]. */
+const PATIENCE = 30_000;
+
 /** What desks ask for. */
 const TARGET = { lux: 500, uniformity: 0.6 };
 
@@ -72,7 +75,7 @@ export function selectNext(slice: Slice<object>, kind: Kind): void {
         select(kind, fresh[fresh.length - 1]);
         queueMicrotask(() => stop());
     });
-    setTimeout(() => stop(), 3000);
+    setTimeout(() => stop(), PATIENCE);
 }
 
 /** Puts the last of some lamps on a surface, clear of it, and the others beside it as they were. */
