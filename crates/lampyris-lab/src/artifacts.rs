@@ -21,7 +21,7 @@ pub(crate) const ARTIFACTS: Experiment = Experiment {
     place: "“10 samples” to “1000 samples”, “Artifacts”",
     claim: "Unlike path tracing no noise, but structured hotspots by the singularity of the form factor. Clamping the contribution of \
             samples is no longer unbiased, and loses energy around edges.",
-    seconds: [8.0, 60.0],
+    seconds: [8.0, 180.0],
     run: artifacts,
 };
 

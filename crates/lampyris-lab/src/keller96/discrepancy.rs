@@ -16,7 +16,7 @@ pub(crate) const DISCREPANCY: Experiment = Experiment {
     paper: KELLER96,
     place: "§2 and §4.4",
     claim: "Random points have a discrepancy of O(√(log log N / N)), low-discrepancy points one of O(logˢ N / N).",
-    seconds: [2.0, 20.0],
+    seconds: [2.0, 60.0],
     run: discrepancy,
 };
 

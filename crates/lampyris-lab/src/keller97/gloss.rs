@@ -24,7 +24,7 @@ pub(crate) const FIGURE_11: Experiment = Experiment {
     paper: KELLER97,
     place: "Figure 11, §4.2",
     claim: "T_mn uses the full BRDF f_r in the lighting pass, which enables specular highlights on the floor, for N = 128.",
-    seconds: [5.0, 40.0],
+    seconds: [5.0, 120.0],
     run: figure_11,
 };
 
@@ -34,7 +34,7 @@ pub(crate) const GLOSS: Experiment = Experiment {
     paper: LECTURE,
     place: "“Glossy BRDF”",
     claim: "Pictures of a glossy surface with α = 0.25 and α = 0.1, where single lights become visible as highlights.",
-    seconds: [10.0, 80.0],
+    seconds: [10.0, 320.0],
     run: gloss,
 };
 

@@ -17,7 +17,7 @@ pub(crate) const THINNING: Experiment = Experiment {
     paper: KELLER97,
     place: "§3.2 and Figure 6",
     claim: "Generation j of the walk has ⌊ρ̄ʲN⌋ particles, each compensated by N/⌊ρ̄ʲN⌋; the walk ends when no particle remains.",
-    seconds: [3.0, 30.0],
+    seconds: [3.0, 70.0],
     run: thinning,
 };
 
